@@ -1,0 +1,25 @@
+/// JOB.yaml of `regolab-worker run`: one material, one seed, its tests.
+#pragma once
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "input/diagnostic.h"
+#include "vocab/stage.h"
+
+namespace regolab {
+
+struct Job {
+  std::string profile = "quick";
+  std::uint64_t seed = 1;
+  Micro micro;
+  Numerics numerics;                       ///< the profile's, with what the file overrides
+  bool repose = false;
+  std::vector<double> confining_stresses;  ///< sigma3 of the stress tests [Pa]; empty = none
+};                                         // settling and the fabric measurement are always done
+
+/// `file_name` is for messages only.
+Read<Job> read_job(std::string_view text, const std::string& file_name);
+
+}  // namespace regolab

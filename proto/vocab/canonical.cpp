@@ -1,0 +1,75 @@
+#include "vocab/canonical.h"
+
+#include <charconv>
+#include <cmath>
+#include <map>
+
+namespace regolab {
+namespace {
+
+std::string shortest(double value) {
+  char buffer[32];
+  const auto end = std::to_chars(buffer, buffer + sizeof buffer, value == 0 ? 0.0 : value);  // -0 and 0 are one value
+  return {buffer, end.ptr};
+}
+
+using Fields = std::map<std::string, std::string>;  // sorted by name
+
+std::string join(const Fields& fields) {
+  std::string text;
+  for (const auto& [name, value] : fields) text += name + "=" + value + "\n";
+  return text;
+}
+
+Fields bed_fields(const StageSpec& spec) {
+  const Micro& m = spec.micro;
+  const Numerics& n = spec.numerics;
+  const Base base = base_of(spec);
+  return {
+      {"box_length", shortest(base.length)},
+      {"box_width", shortest(base.width)},
+      {"clusters", std::to_string(n.clusters)},
+      {"damping_unit", std::to_string(static_cast<int>(m.damping_unit))},
+      {"friction_angle", shortest(m.friction_angle)},
+      {"grain_density", shortest(m.grain_density)},
+      {"gravity", shortest(m.gravity)},
+      {"kind", std::to_string(static_cast<int>(m.kind))},
+      {"largest_diameter", shortest(m.largest_diameter)},
+      {"mass_floor", shortest(n.mass_floor)},
+      {"normal_damping", shortest(m.normal_damping)},
+      {"normal_stiffness", shortest(m.normal_stiffness)},
+      {"rotation", std::to_string(static_cast<int>(m.rotation))},
+      {"seed", std::to_string(spec.seed)},
+      {"settle_stiffness_number", shortest(n.settle_stiffness_number)},
+      {"step_fraction", shortest(n.step_fraction)},
+      {"tangential_damping", shortest(m.tangential_damping)},
+      {"tangential_stiffness", shortest(m.tangential_stiffness)},
+  };
+}
+
+}  // namespace
+
+Base base_of(const StageSpec& spec) {
+  const double s = std::cbrt(spec.numerics.clusters / 400.0);
+  const double largest = spec.micro.largest_diameter;
+  return {spec.numerics.box_length > 0 ? spec.numerics.box_length : 3.0 * s * largest,
+          spec.numerics.box_width > 0 ? spec.numerics.box_width : 2.4 * s * largest};
+}
+
+std::string canonical_text(const StageSpec& spec) {
+  std::string text = "regolab stage, physics " + std::to_string(kPhysicsVersion) + "\n[settle]\n" + join(bed_fields(spec));
+  switch (spec.kind) {
+    case StageKind::kSettle: break;
+    case StageKind::kFabric: text += "[fabric]\n"; break;
+    case StageKind::kRepose: text += "[repose]\n"; break;
+    case StageKind::kStress:
+      text += "[stress]\n" + join({{"axial_strain", shortest(spec.numerics.axial_strain)},
+                                   {"confining_stress", shortest(spec.confining_stress)},
+                                   {"inertial_number", shortest(spec.numerics.inertial_number)},
+                                   {"stress_stiffness_number", shortest(spec.numerics.stress_stiffness_number)}});
+      break;
+  }
+  return text;
+}
+
+}  // namespace regolab
