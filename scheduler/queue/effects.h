@@ -84,7 +84,6 @@ using Effect = std::variant<JobAdded, JobChanged, Linked, ExperimentChanged, Att
                             ResultForgotten, EventNoted, LeaseRevoked>;
 using Effects = std::vector<Effect>;
 
-/// Built in place: g++ 12 wrongly warns of unset members when a variant this wide is moved.
 template <class T>
 void emit(Effects& effects, T effect) {
   effects.emplace_back(std::in_place_type<T>, std::move(effect));
