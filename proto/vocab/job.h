@@ -74,4 +74,17 @@ struct JobRecord {
   JobStatus status;
 };
 
+enum class ExperimentState { kRunning = 0, kDone = 1, kFailed = 2, kCancelled = 3 };
+inline constexpr std::string_view kExperimentStateNames[] = {"running", "done", "failed", "cancelled"};
+inline std::string_view name_of(ExperimentState state) { return kExperimentStateNames[static_cast<int>(state)]; }
+
+/// Where a job stands in an experiment. One job may stand at several places, in several experiments.
+struct JobLink {
+  ExperimentId experiment{};
+  JobId job{};
+  int point = 0;  ///< 1-based row of the design
+  std::uint64_t seed = 0;
+  bool reused = false;  ///< its result was stored before the experiment was submitted
+};
+
 }  // namespace regolab
