@@ -36,8 +36,10 @@ void Store::rollback() {
 
 Result<void> Store::checkpoint(bool empty_log) {
   int log = 0, moved = 0;
+  sqlite3_busy_timeout(db_.raw(), 0);  // do not wait for readers
   const int mode = empty_log ? SQLITE_CHECKPOINT_TRUNCATE : SQLITE_CHECKPOINT_PASSIVE;
   const int code = sqlite3_wal_checkpoint_v2(db_.raw(), nullptr, mode, &log, &moved);
+  sqlite3_busy_timeout(db_.raw(), 5000);
   if (code == SQLITE_BUSY) return {};  // a reader is in the way; next time
   if (code != SQLITE_OK) return sqlite_error(db_.raw(), code, "checkpoint");
   if (moved >= log) log_pages_ = 0;
@@ -46,6 +48,17 @@ Result<void> Store::checkpoint(bool empty_log) {
 
 Result<void> Store::limit_pages(int pages) {
   return db_.run(("PRAGMA max_page_count=" + std::to_string(pages)).c_str(), "limit its size");
+}
+
+Result<void> Store::has_room() {
+  Transaction transaction{db_};
+  if (!transaction.begun().ok()) return transaction.begun();
+  auto written = db_.run(
+      "INSERT INTO counter VALUES ('room', 1) ON CONFLICT (name) DO UPDATE SET value = value + 1;"
+      "CREATE TABLE room AS SELECT randomblob(65536) AS bytes; DROP TABLE room",
+      "write a page");
+  if (!written.ok()) return written;
+  return transaction.commit();
 }
 
 Result<LeaseToken> Store::next_boot(std::int64_t unix_s) {

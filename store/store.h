@@ -23,6 +23,8 @@ class Store {
   void rollback();
   /// Moves the log into the file; `empty_log` when there is time. A full disk is no loss: the log stays.
   Result<void> checkpoint(bool empty_log);
+  /// After a full disk: can a page's worth be written again?
+  Result<void> has_room();
   /// Refuses to grow beyond so many pages of 4 KiB, as a full disk would.
   Result<void> limit_pages(int pages);
   std::int64_t log_pages() const { return log_pages_; }
