@@ -154,6 +154,17 @@ void check_void_ratios(ArticleCheck& check) {
   }
 }
 
+/// One line on all range factors, first among the findings.
+void count_ranges(ArticleCheck& check) {
+  const auto is_range = [](const CheckEntry& entry) { return entry.table != "Table 5"; };
+  const auto all = std::ranges::count_if(check.entries, is_range);
+  const auto good =
+      std::ranges::count_if(check.entries, [&](const CheckEntry& entry) { return is_range(entry) && entry.agrees; });
+  check.findings.insert(check.findings.begin(),
+                        std::to_string(good) + " of " + std::to_string(all) +
+                            " range factors of Tables 4, 6, 8 and 10 follow from Tables 3, 5, 7 and 9");
+}
+
 void note_design(ArticleCheck& check) {
   const ArticleDesign& design = article_design();
   if (design.restorations == 1) {
@@ -183,6 +194,7 @@ ArticleCheck check_article() {
   note_design(check);
   check_ranges(check);
   check_void_ratios(check);
+  count_ranges(check);
   note_fragile_effects(check);
   return check;
 }
