@@ -101,7 +101,10 @@ std::array<double, 9> rotation_of(const Bodies& bodies, int body) {
           2 * (x * z - w * y),     2 * (y * z + w * x),     1 - 2 * (x * x + y * y)};
 }
 
-void place_spheres(const Bodies& bodies, Spheres& spheres) {
+namespace {
+
+template <class Seen>
+void place_each(const Bodies& bodies, Spheres& spheres, Seen seen) {
   for (int b = 0; b < bodies.count(); ++b) {
     const auto r = rotation_of(bodies, b);
     const auto i = static_cast<std::size_t>(b);
@@ -112,8 +115,25 @@ void place_spheres(const Bodies& bodies, Spheres& spheres) {
       spheres.x[s] = bx + (r[0] * ox + r[1] * oy + r[2] * oz);
       spheres.y[s] = by + (r[3] * ox + r[4] * oy + r[5] * oz);
       spheres.z[s] = bz + (r[6] * ox + r[7] * oy + r[8] * oz);
+      seen(s);
     }
   }
+}
+
+}  // namespace
+
+void place_spheres(const Bodies& bodies, Spheres& spheres) {
+  place_each(bodies, spheres, [](std::size_t) {});
+}
+
+double place_spheres(const Bodies& bodies, const Places& since, Spheres& spheres) {
+  double farthest2 = 0;
+  place_each(bodies, spheres, [&](std::size_t s) {
+    const double dx = spheres.x[s] - since.x[s], dy = spheres.y[s] - since.y[s], dz = spheres.z[s] - since.z[s];
+    const double distance2 = dx * dx + dy * dy + dz * dz;
+    farthest2 = distance2 > farthest2 ? distance2 : farthest2;
+  });
+  return farthest2;
 }
 
 }  // namespace regolab::dem

@@ -65,7 +65,16 @@ int add_cluster(const ClusterSpec& spec, Bodies& bodies, Spheres& spheres);
 /// Rotation matrix of a body, row major: space = R * principal.
 std::array<double, 9> rotation_of(const Bodies& bodies, int body);
 
+/// Sphere positions when the near lists were last built.
+struct Places {
+  std::vector<double> x, y, z;        // [m] [m]
+  template <class A>
+  void archive(A& ar) { ar(x, y, z); }
+};
+
 /// All spheres to where their clusters are.
 void place_spheres(const Bodies& bodies, Spheres& spheres);
+/// The same, and how far the farthest-moved sphere is from its place in `since`: the squared distance [m2].
+double place_spheres(const Bodies& bodies, const Places& since, Spheres& spheres);
 
 }  // namespace regolab::dem

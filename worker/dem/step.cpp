@@ -8,14 +8,9 @@ namespace regolab::dem {
 namespace {
 
 /// True once a sphere has moved half the skin since the lists were built, or a wall has.
-bool lists_outdated(const World& w) {
-  if (w.lists_stale) return true;
-  const double half = 0.5 * w.skin, limit = half * half;
-  const Spheres& s = w.spheres;
-  for (std::size_t i = 0; i < s.x.size(); ++i) {
-    const double dx = s.x[i] - w.x_at_build[i], dy = s.y[i] - w.y_at_build[i], dz = s.z[i] - w.z_at_build[i];
-    if (dx * dx + dy * dy + dz * dz > limit) return true;
-  }
+bool lists_outdated(const World& w, double farthest2) {
+  const double half = 0.5 * w.skin;
+  if (w.lists_stale || farthest2 > half * half) return true;
   for (int id = 0; id < kWalls; ++id) {
     if (std::abs(w.walls[id].position - w.walls.position_at_build[static_cast<std::size_t>(id)]) > half) return true;
   }
@@ -51,9 +46,7 @@ void contact_forces(World& w) {
 void rebuild_lists(World& w) {
   build_pairs(w.bodies, w.spheres, w.skin, w.step, w.grid, w.pairs);
   build_wall_list(w.bodies, w.spheres, w.skin, w.step, w.walls);
-  w.x_at_build = w.spheres.x;
-  w.y_at_build = w.spheres.y;
-  w.z_at_build = w.spheres.z;
+  w.at_build = {w.spheres.x, w.spheres.y, w.spheres.z};
   w.lists_stale = false;
   ++w.list_builds;
 }
@@ -70,8 +63,8 @@ void step(World& w) {
   for (int id = 0; id < kWalls; ++id) w.wall_work += w.walls[id].force * inward(id) * w.walls[id].velocity * w.dt;
   kick_and_drift(w.gravity, w.drag, w.dt, w.bodies);
   move_walls(w.walls, w.dt);
-  place_spheres(w.bodies, w.spheres);
-  if (lists_outdated(w)) rebuild_lists(w);
+  const double farthest2 = place_spheres(w.bodies, w.at_build, w.spheres);
+  if (lists_outdated(w, farthest2)) rebuild_lists(w);
   contact_forces(w);
 }
 
