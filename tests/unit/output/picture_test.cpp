@@ -1,9 +1,13 @@
 #include <gmock/gmock.h>
+#include <sys/wait.h>
 
+#include <cstdlib>
 #include <sstream>
 
 #include "unit/output/fake_stages.h"
+#include "unit/output/temporary_folder.h"
 #include "unit/output/vtp_read.h"
+#include "worker/output/atomic_file.h"
 #include "worker/output/vtp_write.h"
 #include "worker/output/xyz_write.h"
 
@@ -64,6 +68,20 @@ TEST(BedXyz, StatesItsColumnsAndReadsBackToTheLastBit) {
     EXPECT_EQ(cluster, sphere.cluster);
     EXPECT_EQ(vz, sphere.vz);
   }
+}
+
+TEST(Pictures, AreReadByVtkAndAseWhereTheyAreInstalled) {
+  const test::TemporaryFolder folder;
+  ASSERT_TRUE(write_whole_file(folder / "bed.vtp", bed_vtp(test::small_bed())).ok());
+  ASSERT_TRUE(write_whole_file(folder / "contacts.vtp", contacts_vtp(test::small_bed())).ok());
+  ASSERT_TRUE(write_whole_file(folder / "bed.xyz", bed_xyz(test::small_bed())).ok());
+  const std::string command = "/usr/bin/python3 " REGOLAB_READ_BACK " " + folder.path().string();  // Debian's own python
+  const int status = std::system(command.c_str());
+  constexpr int kNotInstalled = 77, kNoPython = 127;
+  if (WIFEXITED(status) && (WEXITSTATUS(status) == kNotInstalled || WEXITSTATUS(status) == kNoPython)) {
+    GTEST_SKIP() << "neither python3-vtk9 nor python3-ase is installed";
+  }
+  EXPECT_EQ(status, 0);
 }
 
 }  // namespace
