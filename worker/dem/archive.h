@@ -1,5 +1,6 @@
 /// Binary save and load of plain state, for beds and checkpoints. One `archive(ar)` member per type serves both ways.
 #pragma once
+#include <array>
 #include <cstdint>
 #include <cstring>
 #include <string>
@@ -9,8 +10,9 @@
 
 namespace regolab::dem {
 
+/// Numbers only: a struct's padding would make equal states differ in their bytes.
 template <class T>
-concept Plain = std::is_trivially_copyable_v<T>;
+concept Plain = std::is_arithmetic_v<T> || std::is_enum_v<T>;
 
 class Saver {
  public:
@@ -28,6 +30,8 @@ class Saver {
     put(n);
     bytes_.append(reinterpret_cast<const char*>(values.data()), n * sizeof(T));
   }
+  template <class T, std::size_t N>
+  void put(std::array<T, N>& values) { for (T& value : values) put(value); }
   void put(std::string& text) {
     std::uint64_t n = text.size();
     put(n);
@@ -83,6 +87,8 @@ class Loader {
     values.resize(length(sizeof(T)));
     read(values.data(), values.size() * sizeof(T));
   }
+  template <class T, std::size_t N>
+  void get(std::array<T, N>& values) { for (T& value : values) get(value); }
   void get(std::string& text) {
     text.resize(length(1));
     read(text.data(), text.size());

@@ -3,18 +3,26 @@
 #include <cmath>
 
 namespace regolab::dem {
+namespace {
+
+/// A floor that ends is a solid block: its top, its edge, and the face below the edge. (dx, dz) from the edge to the centre.
+WallGap gap_to_block(double dx, double dz, double radius) {
+  if (dx > 0 && dz > 0) {
+    const double distance = std::hypot(dx, dz);
+    return {dx / distance, 0, dz / distance, radius - distance};
+  }
+  if (dx > dz) return {1, 0, 0, radius - dx};
+  return {0, 0, 1, radius - dz};
+}
+
+}  // namespace
 
 WallGap gap_to_wall(const Walls& walls, int id, double x, double y, double z, double radius) {
   const double at[3] = {x, y, z};
   const Wall& wall = walls[id];
   const int axis = axis_of(id);
   const double sign = inward(id);
-  if (id == kFloor && x > walls.floor_end) {  // past the end of the floor: its edge is what is touched
-    const double dx = x - walls.floor_end, dz = z - wall.position;
-    const double distance = std::sqrt(dx * dx + dz * dz);
-    if (distance == 0.0) return {0, 0, 1, radius};
-    return {dx / distance, 0, dz / distance, radius - distance};
-  }
+  if (id == kFloor && std::isfinite(walls.floor_end)) return gap_to_block(x - walls.floor_end, z - wall.position, radius);
   const double overlap = radius - sign * (at[axis] - wall.position);
   return {axis == 0 ? sign : 0.0, axis == 1 ? sign : 0.0, axis == 2 ? sign : 0.0, overlap};
 }

@@ -21,6 +21,9 @@ struct Wall {
   double force = 0;      ///< last step: normal force of the grains on the wall, positive outward [N]
   double shear = 0;      ///< last step: sum of tangential force sizes [N]
   int contacts = 0;      ///< last step
+
+  template <class A>
+  void archive(A& ar) { ar(present, position, velocity, friction, force, shear, contacts); }
 };
 
 struct Walls {
