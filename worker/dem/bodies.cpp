@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "worker/dem/hot.h"
+
 namespace regolab::dem {
 namespace {
 
@@ -101,10 +103,7 @@ std::array<double, 9> rotation_of(const Bodies& bodies, int body) {
           2 * (x * z - w * y),     2 * (y * z + w * x),     1 - 2 * (x * x + y * y)};
 }
 
-namespace {
-
-template <class Seen>
-void place_each(const Bodies& bodies, Spheres& spheres, Seen seen) {
+void place_spheres(const Bodies& bodies, Spheres& spheres) {
   for (int b = 0; b < bodies.count(); ++b) {
     const auto r = rotation_of(bodies, b);
     const auto i = static_cast<std::size_t>(b);
@@ -115,25 +114,29 @@ void place_each(const Bodies& bodies, Spheres& spheres, Seen seen) {
       spheres.x[s] = bx + (r[0] * ox + r[1] * oy + r[2] * oz);
       spheres.y[s] = by + (r[3] * ox + r[4] * oy + r[5] * oz);
       spheres.z[s] = bz + (r[6] * ox + r[7] * oy + r[8] * oz);
-      seen(s);
     }
   }
 }
 
-}  // namespace
+Poses poses_of(const Bodies& b) { return {b.x, b.y, b.z, b.qw, b.qx, b.qy, b.qz}; }
 
-void place_spheres(const Bodies& bodies, Spheres& spheres) {
-  place_each(bodies, spheres, [](std::size_t) {});
-}
-
-double place_spheres(const Bodies& bodies, const Places& since, Spheres& spheres) {
-  double farthest2 = 0;
-  place_each(bodies, spheres, [&](std::size_t s) {
-    const double dx = spheres.x[s] - since.x[s], dy = spheres.y[s] - since.y[s], dz = spheres.z[s] - since.z[s];
-    const double distance2 = dx * dx + dy * dy + dz * dz;
-    farthest2 = distance2 > farthest2 ? distance2 : farthest2;
-  });
-  return farthest2;
+REGOLAB_HOT bool moved_beyond(double limit, const Poses& since, const Bodies& bodies) {
+  // |dq| = 2 sin(angle/4), so angle < 2.1 |dq| up to 70 degrees; a larger turn is far beyond any skin.
+  constexpr double kAnglePerQuaternion = 2.1;
+  const std::size_t n = bodies.x.size();
+  const double *x = bodies.x.data(), *y = bodies.y.data(), *z = bodies.z.data(), *reach = bodies.reach.data();
+  const double *qw = bodies.qw.data(), *qx = bodies.qx.data(), *qy = bodies.qy.data(), *qz = bodies.qz.data();
+  const double *x0 = since.x.data(), *y0 = since.y.data(), *z0 = since.z.data();
+  const double *w0 = since.qw.data(), *a0 = since.qx.data(), *b0 = since.qy.data(), *c0 = since.qz.data();
+  int beyond = 0;
+  for (std::size_t i = 0; i < n; ++i) {
+    const double dx = x[i] - x0[i], dy = y[i] - y0[i], dz = z[i] - z0[i];
+    const double dw = qw[i] - w0[i], da = qx[i] - a0[i], db = qy[i] - b0[i], dc = qz[i] - c0[i];
+    const double shift = std::sqrt(dx * dx + dy * dy + dz * dz);
+    const double turn = std::sqrt(dw * dw + da * da + db * db + dc * dc);
+    beyond |= shift + kAnglePerQuaternion * reach[i] * turn > limit ? 1 : 0;
+  }
+  return beyond != 0;
 }
 
 }  // namespace regolab::dem

@@ -7,10 +7,10 @@
 namespace regolab::dem {
 namespace {
 
-/// True once a sphere has moved half the skin since the lists were built, or a wall has.
-bool lists_outdated(const World& w, double farthest2) {
+/// True once a grain may have moved half the skin since the lists were built, or a wall has.
+bool lists_outdated(const World& w) {
   const double half = 0.5 * w.skin;
-  if (w.lists_stale || farthest2 > half * half) return true;
+  if (w.lists_stale || moved_beyond(half, w.at_build, w.bodies)) return true;
   for (int id = 0; id < kWalls; ++id) {
     if (std::abs(w.walls[id].position - w.walls.position_at_build[static_cast<std::size_t>(id)]) > half) return true;
   }
@@ -46,7 +46,7 @@ void contact_forces(World& w) {
 void rebuild_lists(World& w) {
   build_pairs(w.bodies, w.spheres, w.skin, w.step, w.grid, w.pairs);
   build_wall_list(w.bodies, w.spheres, w.skin, w.step, w.walls);
-  w.at_build = {w.spheres.x, w.spheres.y, w.spheres.z};
+  w.at_build = poses_of(w.bodies);
   w.lists_stale = false;
   ++w.list_builds;
 }
@@ -63,8 +63,8 @@ void step(World& w) {
   for (int id = 0; id < kWalls; ++id) w.wall_work += w.walls[id].force * inward(id) * w.walls[id].velocity * w.dt;
   kick_and_drift(w.gravity, w.drag, w.dt, w.bodies);
   move_walls(w.walls, w.dt);
-  const double farthest2 = place_spheres(w.bodies, w.at_build, w.spheres);
-  if (lists_outdated(w, farthest2)) rebuild_lists(w);
+  place_spheres(w.bodies, w.spheres);
+  if (lists_outdated(w)) rebuild_lists(w);
   contact_forces(w);
 }
 

@@ -24,7 +24,7 @@ struct World {
   double wall_work = 0;      ///< done by moving walls on the grains so far [J]
 
   PairList pairs;
-  Places at_build;           ///< where the spheres were when the lists were built
+  Poses at_build;            ///< where the clusters were when the lists were built
   bool lists_stale = true;
 
   // Derived each step; not saved.
