@@ -9,8 +9,8 @@ namespace regolab {
 
 struct Diagnostic {
   std::string file;
-  int line = 0;    ///< 1-based; 0 = the whole file
-  int column = 0;  ///< 1-based
+  int line = 0;             ///< 1-based; 0 = the whole file
+  int column = 0;           ///< 1-based
   std::string text;         ///< problem (why) remedy
   std::string source_line;  ///< for the caret
 };

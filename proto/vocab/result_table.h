@@ -30,6 +30,7 @@ struct ResultTable {
   std::string experiment;
   std::string array;                     ///< "L32", "table", ...
   std::vector<TableFactor> factors;
+  std::map<std::string, std::string> fixed;  ///< parameters that do not vary, as shown: "gravity" -> "1.63 m/s2"
   std::vector<TableResponse> responses;
   std::vector<TableRow> rows;            ///< ordered by point, then seed
 };
