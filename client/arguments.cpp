@@ -110,8 +110,7 @@ struct Tree {
     experiment_of(verb(app, "retry", "failed, cancelled and quarantined jobs once more"));
     auto* results = verb(app, "results", "one line per row and seed");
     experiment_of(results);
-    auto* csv = results->add_flag("--csv", arguments.csv, "every response with every digit, as CSV");
-    csv->excludes(app.get_option("--json"));
+    results->add_flag("--csv", arguments.csv, "every response with every digit, as CSV");
     results->add_flag("--all", arguments.all, "secondary responses in the table too");
     output_of(results);
     auto* range = verb(app, "range", "range analysis, ANOVA and fragility");
@@ -243,6 +242,8 @@ Parsed parse(const std::vector<std::string>& words) {
     if (arguments.workers > 0)
       return mistake("--workers with --server (workers are started on the machines of that scheduler) leave it out");
   }
+  if (arguments.csv && arguments.json)
+    return mistake("--csv and --json together (one form at a time) leave one of them out");
   if (arguments.database.empty()) return mistake("--db is empty (a file name is wanted) write --db FILE");
   arguments.colour = tree.colour == "always"  ? ColourChoice::kAlways
                      : tree.colour == "never" ? ColourChoice::kNever

@@ -16,6 +16,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr std::size_t kReadAtMost =
+    16 << 20;  // [bytes] of a design; the reader refuses far smaller ones and names their size
 constexpr std::size_t kLargestTable = 2 << 20;  // [bytes]; 4096 rows of 20 columns take half of it
 
 /// The file's bytes, at most `limit` + 1 of them; else why not, in the system's words.
@@ -77,7 +79,7 @@ std::string new_request_id() {
 
 Outcome read_design_source(const Arguments& arguments, pb::SubmitRequest& request, std::vector<Diagnostic>& diagnostics) {
   std::string why;
-  const auto text = read_file(arguments.design, kLargestFile, why);
+  const auto text = read_file(arguments.design, kReadAtMost, why);
   if (!text) {
     return failed(Exit::kInvalidInput,
                   fmt::format("{}: cannot read the design ({}) name a design.yaml, as client/examples/article-l32.yaml",
@@ -103,7 +105,8 @@ Outcome read_design_source(const Arguments& arguments, pb::SubmitRequest& reques
 
 std::string diagnostics_text(const std::vector<Diagnostic>& diagnostics, bool colour) {
   std::string text;
-  for (const Diagnostic& diagnostic : diagnostics) {
+  for (Diagnostic diagnostic : diagnostics) {
+    if (first_bad_byte(diagnostic.source_line)) diagnostic.source_line.clear();  // no bytes of a binary file on a terminal
     std::string one = to_text(diagnostic);
     if (colour) {
       if (const auto caret = one.rfind('^'); caret == one.size() - 1) one.replace(caret, 1, paint(true, Ink::kRed, "^"));

@@ -15,9 +15,9 @@ namespace regolab::client {
 class Lab {
  public:
   struct Options {
-    std::string address;                 ///< "host:port" or "unix:/path"
-    std::vector<std::stop_token> stops;  ///< any of them cancels the call under way
-    std::chrono::seconds patience{0};    ///< how long a call tries again when the scheduler is away
+    std::string address;                      ///< "host:port" or "unix:/path"
+    std::vector<std::stop_token> stops = {};  ///< any of them cancels the call under way
+    std::chrono::seconds patience{0};         ///< how long a call tries again when the scheduler is away
   };
   explicit Lab(Options options);
   ~Lab();
