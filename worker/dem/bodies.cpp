@@ -1,0 +1,139 @@
+#include "worker/dem/bodies.h"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace regolab::dem {
+namespace {
+
+Eigen::Vector3d vector(const Vec3& v) { return {v[0], v[1], v[2]}; }
+
+struct MassProperties {
+  double volume = 0;
+  Eigen::Vector3d centre = Eigen::Vector3d::Zero();
+  Eigen::Matrix3d inertia_per_density = Eigen::Matrix3d::Zero();
+};
+
+MassProperties mass_properties(const ClusterSpec& spec) {
+  MassProperties out;
+  const auto volume = [&](std::size_t i) { return 4.0 / 3.0 * std::numbers::pi * std::pow(spec.radius[i], 3); };
+  for (std::size_t i = 0; i < spec.radius.size(); ++i) {
+    out.volume += volume(i);
+    out.centre += volume(i) * vector(spec.centre[i]);
+  }
+  out.centre /= out.volume;
+  for (std::size_t i = 0; i < spec.radius.size(); ++i) {
+    const Eigen::Vector3d d = vector(spec.centre[i]) - out.centre;
+    const double own = 0.4 * spec.radius[i] * spec.radius[i];
+    out.inertia_per_density +=
+        volume(i) * ((own + d.squaredNorm()) * Eigen::Matrix3d::Identity() - d * d.transpose());
+  }
+  return out;
+}
+
+void push_rigid_state(Bodies& b, const Eigen::Vector3d& centre, const Eigen::Quaterniond& q) {
+  b.x.push_back(centre.x());
+  b.y.push_back(centre.y());
+  b.z.push_back(centre.z());
+  b.qw.push_back(q.w());
+  b.qx.push_back(q.x());
+  b.qy.push_back(q.y());
+  b.qz.push_back(q.z());
+  for (auto* zero : {&b.vx, &b.vy, &b.vz, &b.lx, &b.ly, &b.lz, &b.wx, &b.wy, &b.wz, &b.fx, &b.fy, &b.fz, &b.tx, &b.ty, &b.tz}) {
+    zero->push_back(0.0);
+  }
+  b.gone.push_back(0);
+}
+
+}  // namespace
+
+void Bodies::hold_fixed(int body) {
+  const auto i = static_cast<std::size_t>(body);
+  inverse_mass[i] = inverse_ix[i] = inverse_iy[i] = inverse_iz[i] = 0.0;
+  for (auto* zero : {&vx, &vy, &vz, &lx, &ly, &lz, &wx, &wy, &wz}) (*zero)[i] = 0.0;
+}
+
+int add_cluster(const ClusterSpec& spec, Bodies& bodies, Spheres& spheres) {
+  const MassProperties p = mass_properties(spec);
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(p.inertia_per_density);
+  Eigen::Matrix3d axes = solver.eigenvectors();
+  if (axes.determinant() < 0) axes.col(2) = -axes.col(2);  // a turn, not a mirror
+  const Eigen::Vector3d inertia = spec.density * spec.mass_factor * solver.eigenvalues();
+
+  const int index = bodies.count();
+  push_rigid_state(bodies, p.centre, Eigen::Quaterniond(axes).normalized());
+  const double mass = spec.density * spec.mass_factor * p.volume;
+  bodies.mass.push_back(mass);
+  bodies.inverse_mass.push_back(1.0 / mass);
+  bodies.inverse_ix.push_back(1.0 / inertia.x());
+  bodies.inverse_iy.push_back(1.0 / inertia.y());
+  bodies.inverse_iz.push_back(1.0 / inertia.z());
+  bodies.solid_volume.push_back(p.volume);
+  bodies.parent_diameter.push_back(spec.parent_diameter);
+
+  double reach = 0;
+  for (std::size_t i = 0; i < spec.radius.size(); ++i) {
+    const Eigen::Vector3d d = vector(spec.centre[i]) - p.centre;
+    const Eigen::Vector3d offset = axes.transpose() * d;
+    spheres.body.push_back(index);
+    spheres.ox.push_back(offset.x());
+    spheres.oy.push_back(offset.y());
+    spheres.oz.push_back(offset.z());
+    spheres.radius.push_back(spec.radius[i]);
+    spheres.x.push_back(spec.centre[i][0]);
+    spheres.y.push_back(spec.centre[i][1]);
+    spheres.z.push_back(spec.centre[i][2]);
+    reach = std::max(reach, d.norm() + spec.radius[i]);
+  }
+  bodies.reach.push_back(reach);
+  if (bodies.first_sphere.empty()) bodies.first_sphere.push_back(0);
+  bodies.first_sphere.push_back(spheres.count());
+  return index;
+}
+
+std::array<double, 9> rotation_of(const Bodies& bodies, int body) {
+  const auto i = static_cast<std::size_t>(body);
+  const double w = bodies.qw[i], x = bodies.qx[i], y = bodies.qy[i], z = bodies.qz[i];
+  return {1 - 2 * (y * y + z * z), 2 * (x * y - w * z),     2 * (x * z + w * y),
+          2 * (x * y + w * z),     1 - 2 * (x * x + z * z), 2 * (y * z - w * x),
+          2 * (x * z - w * y),     2 * (y * z + w * x),     1 - 2 * (x * x + y * y)};
+}
+
+namespace {
+
+template <class Seen>
+void place_each(const Bodies& bodies, Spheres& spheres, Seen seen) {
+  for (int b = 0; b < bodies.count(); ++b) {
+    const auto r = rotation_of(bodies, b);
+    const auto i = static_cast<std::size_t>(b);
+    const double bx = bodies.x[i], by = bodies.y[i], bz = bodies.z[i];
+    const auto end = static_cast<std::size_t>(bodies.first_sphere[i + 1]);
+    for (auto s = static_cast<std::size_t>(bodies.first_sphere[i]); s < end; ++s) {
+      const double ox = spheres.ox[s], oy = spheres.oy[s], oz = spheres.oz[s];
+      spheres.x[s] = bx + (r[0] * ox + r[1] * oy + r[2] * oz);
+      spheres.y[s] = by + (r[3] * ox + r[4] * oy + r[5] * oz);
+      spheres.z[s] = bz + (r[6] * ox + r[7] * oy + r[8] * oz);
+      seen(s);
+    }
+  }
+}
+
+}  // namespace
+
+void place_spheres(const Bodies& bodies, Spheres& spheres) {
+  place_each(bodies, spheres, [](std::size_t) {});
+}
+
+double place_spheres(const Bodies& bodies, const Places& since, Spheres& spheres) {
+  double farthest2 = 0;
+  place_each(bodies, spheres, [&](std::size_t s) {
+    const double dx = spheres.x[s] - since.x[s], dy = spheres.y[s] - since.y[s], dz = spheres.z[s] - since.z[s];
+    const double distance2 = dx * dx + dy * dy + dz * dz;
+    farthest2 = distance2 > farthest2 ? distance2 : farthest2;
+  });
+  return farthest2;
+}
+
+}  // namespace regolab::dem

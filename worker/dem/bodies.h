@@ -1,0 +1,80 @@
+/// Rigid clusters and their spheres as structures of arrays. Clusters are the only bodies: spheres follow them.
+#pragma once
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace regolab::dem {
+
+using Vec3 = std::array<double, 3>;
+
+/// One cluster to be added. Spheres are tangent, so masses and inertias add up exactly (parallel axes).
+struct ClusterSpec {
+  std::vector<Vec3> centre;    ///< world positions of the spheres [m]
+  std::vector<double> radius;  ///< [m]
+  double density = 0;          ///< of the grain [kg/m3]
+  double mass_factor = 1;      ///< > 1 for grains that carry the mass of a larger size
+  double parent_diameter = 0;  ///< of the sphere it replaces [m]
+};
+
+/// State of the clusters. Velocities and angular momenta stand half a step behind the positions (leapfrog).
+struct Bodies {
+  std::vector<double> x, y, z;              // [n] centre of mass [m]
+  std::vector<double> vx, vy, vz;           // [n] [m/s]
+  std::vector<double> qw, qx, qy, qz;       // [n] turns the principal frame into space
+  std::vector<double> lx, ly, lz;           // [n] angular momentum, space frame [kg m2/s]
+  std::vector<double> wx, wy, wz;           // [n] angular velocity, space frame [1/s]
+  std::vector<double> inverse_mass;         // [n] 0 = held fixed
+  std::vector<double> inverse_ix, inverse_iy, inverse_iz;  // [n] principal inertia, inverse [1/(kg m2)]
+  std::vector<double> mass;                 // [n] inertial and heavy mass [kg]
+  std::vector<double> solid_volume;         // [n] sum of sphere volumes [m3]
+  std::vector<double> parent_diameter;      // [n] [m]
+  std::vector<double> reach;                // [n] farthest point from the centre of mass [m]
+  std::vector<double> fx, fy, fz;           // [n] contact force of the last step [N]
+  std::vector<double> tx, ty, tz;           // [n] contact torque about the centre of mass [N m]
+  std::vector<std::int32_t> first_sphere;   // [n + 1]
+  std::vector<std::uint8_t> gone;           // [n] 1 = left the experiment (lies in the tray)
+
+  int count() const { return static_cast<int>(x.size()); }
+  void hold_fixed(int body);
+  bool is_fixed(int body) const { return inverse_mass[static_cast<std::size_t>(body)] == 0.0; }
+
+  template <class A>
+  void archive(A& ar) {
+    ar(x, y, z, vx, vy, vz, qw, qx, qy, qz, lx, ly, lz, wx, wy, wz, inverse_mass, inverse_ix, inverse_iy, inverse_iz, mass,
+       solid_volume, parent_diameter, reach, fx, fy, fz, tx, ty, tz, first_sphere, gone);
+  }
+};
+
+struct Spheres {
+  std::vector<std::int32_t> body;     // [m]
+  std::vector<double> ox, oy, oz;     // [m] offset from the centre of mass, principal frame [m]
+  std::vector<double> radius;         // [m] [m]
+  std::vector<double> x, y, z;        // [m] in space [m]
+
+  int count() const { return static_cast<int>(x.size()); }
+
+  template <class A>
+  void archive(A& ar) { ar(body, ox, oy, oz, radius, x, y, z); }
+};
+
+/// Adds a cluster at rest; returns its index. REQUIRES: at least one sphere, density > 0.
+int add_cluster(const ClusterSpec& spec, Bodies& bodies, Spheres& spheres);
+
+/// Rotation matrix of a body, row major: space = R * principal.
+std::array<double, 9> rotation_of(const Bodies& bodies, int body);
+
+/// Sphere positions when the near lists were last built.
+struct Places {
+  std::vector<double> x, y, z;        // [m] [m]
+  template <class A>
+  void archive(A& ar) { ar(x, y, z); }
+};
+
+/// All spheres to where their clusters are.
+void place_spheres(const Bodies& bodies, Spheres& spheres);
+/// The same, and how far the farthest-moved sphere is from its place in `since`: the squared distance [m2].
+double place_spheres(const Bodies& bodies, const Places& since, Spheres& spheres);
+
+}  // namespace regolab::dem

@@ -1,0 +1,119 @@
+#include "worker/dem/watch.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace regolab::dem {
+namespace {
+
+double elastic_energy(const LinearLaw& law, const Contacts& contacts) {
+  double sum = 0;
+  contacts.each([&](std::size_t k) {
+    sum += 0.5 * law.normal_stiffness * contacts.overlap[k] * contacts.overlap[k];
+    sum += 0.5 * law.tangential_stiffness *
+           (contacts.sx[k] * contacts.sx[k] + contacts.sy[k] * contacts.sy[k] + contacts.sz[k] * contacts.sz[k]);
+  });
+  return sum;
+}
+
+bool present(const Bodies& b, std::size_t i) { return !b.gone[i] && b.inverse_mass[i] > 0.0; }
+
+double kinetic_of(const Bodies& b, std::size_t i) {
+  const double translation = 0.5 * b.mass[i] * (b.vx[i] * b.vx[i] + b.vy[i] * b.vy[i] + b.vz[i] * b.vz[i]);
+  return translation + 0.5 * (b.lx[i] * b.wx[i] + b.ly[i] * b.wy[i] + b.lz[i] * b.wz[i]);
+}
+
+}  // namespace
+
+Energies energies(const World& world) {
+  const Bodies& b = world.bodies;
+  Energies e;
+  for (std::size_t i = 0; i < b.x.size(); ++i) {
+    if (!present(b, i)) continue;
+    e.kinetic += kinetic_of(b, i);
+    e.potential += b.mass[i] * world.gravity * b.z[i];
+  }
+  e.elastic = elastic_energy(world.law, world.contacts) + elastic_energy(world.law, world.wall_contacts);
+  return e;
+}
+
+double unbalanced_force_ratio(const World& world) {
+  const Bodies& b = world.bodies;
+  double net = 0;
+  int free_bodies = 0;
+  for (std::size_t i = 0; i < b.x.size(); ++i) {
+    if (!present(b, i)) continue;
+    net += std::hypot(b.fx[i], b.fy[i], b.fz[i] - b.mass[i] * world.gravity);
+    ++free_bodies;
+  }
+  double contact = 0;
+  std::size_t n = 0;
+  for (const Contacts* c : {&world.contacts, &world.wall_contacts}) {
+    c->each([&](std::size_t k) { contact += std::hypot(c->fx[k], c->fy[k], c->fz[k]); });
+    n += c->count();
+  }
+  if (free_bodies == 0 || n == 0 || contact == 0) return 0;
+  return (net / free_bodies) / (contact / static_cast<double>(n));
+}
+
+double deepest_overlap(const World& world) {
+  double deepest = 0;
+  const Spheres& s = world.spheres;
+  world.contacts.each([&](std::size_t k) {
+    const auto p = static_cast<std::size_t>(world.contacts.slot[k]);
+    const double ra = s.radius[static_cast<std::size_t>(world.pairs.a[p])];
+    const double rb = s.radius[static_cast<std::size_t>(world.pairs.b[p])];
+    deepest = std::max(deepest, world.contacts.overlap[k] / std::min(ra, rb));
+  });
+  world.wall_contacts.each([&](std::size_t k) {
+    const auto p = static_cast<std::size_t>(world.wall_contacts.slot[k]);
+    deepest = std::max(deepest, world.wall_contacts.overlap[k] / s.radius[static_cast<std::size_t>(world.walls.sphere[p])]);
+  });
+  return deepest;
+}
+
+Vec3 contact_force_on(const World& world, int body) {
+  const auto i = static_cast<std::size_t>(body);
+  return {world.bodies.fx[i], world.bodies.fy[i], world.bodies.fz[i]};
+}
+
+bool finite(const World& world) {
+  const Bodies& b = world.bodies;
+  for (std::size_t i = 0; i < b.x.size(); ++i) {
+    if (!std::isfinite(b.x[i] + b.y[i] + b.z[i]) || !std::isfinite(b.vx[i] + b.vy[i] + b.vz[i]) ||
+        !std::isfinite(b.lx[i] + b.ly[i] + b.lz[i])) {
+      return false;
+    }
+  }
+  return true;
+}
+
+double relative_kinetic_energy(const World& world, double gravity, double mean_diameter) {
+  const Bodies& b = world.bodies;
+  double kinetic = 0, mass = 0;
+  for (std::size_t i = 0; i < b.x.size(); ++i) {
+    if (!present(b, i)) continue;
+    kinetic += kinetic_of(b, i);
+    mass += b.mass[i];
+  }
+  return mass > 0 ? kinetic / (0.5 * mass * gravity * mean_diameter) : 0;
+}
+
+double weight(const World& world, double gravity) {
+  double mass = 0;
+  for (std::size_t i = 0; i < world.bodies.x.size(); ++i) {
+    if (!world.bodies.gone[i]) mass += world.bodies.mass[i];
+  }
+  return mass * gravity;
+}
+
+double stable_step(const World& world, double fraction) {
+  const double lightest = *std::min_element(world.bodies.mass.begin(), world.bodies.mass.end());
+  const double stiffest = std::max(world.law.normal_stiffness, world.law.tangential_stiffness);
+  const double strongest = std::max(world.law.normal_damping, world.law.tangential_damping);
+  const double root = world.law.damping_is_ratio ? std::sqrt(lightest) : 1.0;
+  const double zeta = strongest * root / (2 * std::sqrt(lightest * stiffest));
+  return fraction * std::sqrt(lightest / stiffest) * (std::sqrt(1 + zeta * zeta) - zeta);
+}
+
+}  // namespace regolab::dem

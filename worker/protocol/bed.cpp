@@ -1,0 +1,77 @@
+#include "worker/protocol/bed.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "vocab/canonical.h"
+#include "worker/dem/watch.h"
+#include "worker/generate/replacement.h"
+
+namespace regolab::protocol {
+namespace {
+
+constexpr double kFillFraction = 0.3;   // of spheres in the filling box [protocols, section 1]
+constexpr double kClearance = 0.02;     // between parents, and to the walls: four-sphere clusters stick out by up to 1 %
+
+void raise_walls(Bed& bed) {
+  const double friction = std::tan(bed.micro.friction_angle);
+  auto& walls = bed.world.walls;
+  walls[dem::kLeft] = {.present = true, .position = 0};
+  walls[dem::kRight] = {.present = true, .position = bed.length};
+  walls[dem::kFront] = {.present = true, .position = 0};
+  walls[dem::kBack] = {.present = true, .position = bed.width};
+  walls[dem::kFloor] = {.present = true, .position = 0, .friction = friction};
+}
+
+}  // namespace
+
+dem::LinearLaw softened_law(const Micro& micro, double most) {
+  const double factor = most > 0 ? std::min(1.0, most / micro.normal_stiffness) : 1.0;
+  dem::LinearLaw law;
+  law.normal_stiffness = factor * micro.normal_stiffness;
+  law.tangential_stiffness = factor * micro.tangential_stiffness;
+  law.friction = std::tan(micro.friction_angle);
+  law.damping_is_ratio = micro.damping_unit == DampingUnit::kRatio;
+  if (law.damping_is_ratio) {
+    law.normal_damping = 2 * micro.normal_damping * std::sqrt(law.normal_stiffness);
+    law.tangential_damping = 2 * micro.tangential_damping * std::sqrt(law.tangential_stiffness);
+  } else {
+    law.normal_damping = std::sqrt(factor) * micro.normal_damping;
+    law.tangential_damping = std::sqrt(factor) * micro.tangential_damping;
+  }
+  return law;
+}
+
+void renew_step(Bed& bed) { bed.world.dt = dem::stable_step(bed.world, bed.step_fraction); }
+
+std::string generate_bed(const StageSpec& spec, Bed& bed) {
+  const Base base = base_of(spec);
+  bed.micro = spec.micro;
+  bed.length = base.length;
+  bed.width = base.width;
+  bed.mass_floor = spec.numerics.mass_floor;
+  bed.step_fraction = spec.numerics.step_fraction;
+  const generate::Random random(spec.seed);
+  const auto diameters = generate::parent_diameters(spec.numerics.clusters, spec.micro.largest_diameter, random);
+  const auto parents = generate::place_parents(diameters, bed.length, bed.width, kFillFraction, kClearance, random);
+  if (!parents) {
+    return "the parent spheres found no room (box " + std::to_string(bed.length) + " m x " + std::to_string(bed.width) +
+           " m is too narrow for L_S = " + std::to_string(spec.micro.largest_diameter) + " m) widen the box";
+  }
+  generate::replace_parents(*parents, spec.micro, spec.numerics.mass_floor, random, bed.world);
+  const auto& volumes = bed.world.bodies.solid_volume;
+  bed.solid_volume = std::accumulate(volumes.begin(), volumes.end(), 0.0);
+  if (generate::deepest_overlap_between_clusters(bed.world) > 0) {
+    return "clusters overlap after replacement (a broken promise of the generator) report the job file";
+  }
+  raise_walls(bed);
+  const double kappa = spec.numerics.settle_stiffness_number;
+  bed.world.law = softened_law(spec.micro, kappa > 0 ? kappa * bed.pressure() * bed.mean_diameter() : 0);
+  bed.world.gravity = spec.micro.gravity;
+  bed.world.skin = 0.05 * spec.micro.largest_diameter;
+  renew_step(bed);
+  return {};
+}
+
+}  // namespace regolab::protocol

@@ -1,0 +1,41 @@
+/// A specimen: the world and what every test wants to know of it. All lengths [m].
+#pragma once
+#include <string>
+
+#include "vocab/stage.h"
+#include "worker/dem/world.h"
+
+namespace regolab::protocol {
+
+struct Bed {
+  dem::World world;
+  Micro micro;
+  double length = 0;          ///< L of the box
+  double width = 0;           ///< W of the box
+  double solid_volume = 0;    ///< V_P, of all clusters [m3]
+  double mass_floor = 0;
+  double step_fraction = 0.15;
+
+  double mean_diameter() const { return 0.6 * micro.largest_diameter; }
+  /// Half the bed's weight per area, solid: the pressure that sets the softened stiffness of settling and repose [Pa].
+  double pressure() const { return 0.5 * micro.grain_density * micro.gravity * solid_volume / (0.52 * length * width); }
+
+  template <class A>
+  void archive(A& ar) {
+    ar(world, micro.friction_angle, micro.normal_stiffness, micro.normal_damping, micro.tangential_stiffness,
+       micro.tangential_damping, micro.largest_diameter, micro.kind, micro.rotation, micro.damping_unit, micro.grain_density,
+       micro.gravity, length, width, solid_volume, mass_floor, step_fraction);
+  }
+};
+
+/// The contact law with K_N -> min(K_N, most), K_T in the same ratio and eta with the root of the factor, so the damping ratio
+/// stays [protocols, section 3]. most <= 0 keeps the true stiffness.
+dem::LinearLaw softened_law(const Micro& micro, double most);
+
+/// Random generation and replacement under the settings of `spec`; empty text, or why there is no bed.
+std::string generate_bed(const StageSpec& spec, Bed& bed);
+
+/// The step after a change of law, from the bed's own fraction.
+void renew_step(Bed& bed);
+
+}  // namespace regolab::protocol

@@ -1,0 +1,88 @@
+/// Stress test: isotropic compression to sigma3, then the top plate moves down at a constant rate while the side walls hold
+/// sigma3 [article Sec. 3.1.5, Figure 10; protocols, section 7]. Gravity off, smooth plates. The specimen is not levelled: the
+/// top plate first meets its peaks, as in the article.
+#pragma once
+#include <array>
+#include <vector>
+
+#include "worker/protocol/guard.h"
+#include "worker/protocol/servo.h"
+#include "worker/protocol/test.h"
+
+namespace regolab::protocol {
+
+/// Means over one interval of axial strain. Stresses [Pa].
+struct StressSample {
+  double strain = 0;      ///< at the end of the interval
+  double top = 0, bottom = 0, lateral_x = 0, lateral_y = 0;
+  double volumetric_strain = 0;  ///< at its end, contraction positive
+  double unbalanced = 0;  ///< unbalanced force ratio at its end
+
+  double sigma1() const { return 0.5 * (top + bottom); }
+  double sigma3() const { return 0.5 * (lateral_x + lateral_y); }
+  template <class A>
+  void archive(A& ar) { ar(strain, top, bottom, lateral_x, lateral_y, volumetric_strain, unbalanced); }
+};
+
+class Stress final : public Test {
+ public:
+  Stress(Bed bed, const StageSpec& spec);
+
+  std::optional<Ending> advance() override;
+  StageResult result(const Ending& ending) const override;
+  std::string_view phase() const override;
+  double fraction() const override;
+  Bed& bed() override { return bed_; }
+  void save(dem::Saver& saver) override { archive(saver); }
+  void load(dem::Loader& loader) override { archive(loader); }
+
+ private:
+  enum class Phase { kApproach, kRamp, kHold, kShear };
+  struct Window {
+    double stress[3] = {0, 0, 0};
+    int steps = 0;
+    template <class A>
+    void archive(A& ar) { ar(stress[0], stress[1], stress[2], steps); }
+  };
+  template <class A>
+  void archive(A& ar) {
+    ar(bed_, guard_, sigma3_, inertial_number_, end_strain_, start_pressure_, start_law_, end_law_, phase_, started_, ramp_,
+       pressure_, start_step_, phase_step_, looks_in_band_, window_, shear_start_time_, height0_, volume0_, void_ratio0_,
+       interval_, interval_steps_, samples_, drift_);
+  }
+  void enclose();
+  void set_phase(Phase phase);
+  double inertial_time() const;
+  std::optional<Ending> isotropic_look();
+  std::optional<Ending> shear_look();
+  void advance_ramp();
+  void start_shear();
+  void shear_step();
+  void close_interval(double strain);
+  double axial_strain() const;
+  bool window_within(double tolerance) const;
+
+  Bed bed_;
+  Guard guard_;
+  double sigma3_ = 0, inertial_number_ = 1e-2, end_strain_ = 0.2;
+  double start_pressure_ = 0;          // of the settled bed [Pa]
+  dem::LinearLaw start_law_, end_law_; // stiffness and stress rise together between them
+  Phase phase_ = Phase::kApproach;
+  bool started_ = false;
+  std::array<double, 3> drift_{};      // integral part of each servo [m/s]
+  double ramp_ = 0;                    // 0 to 1
+  double pressure_ = 0;                // wanted now [Pa]
+  std::int64_t start_step_ = 0, phase_step_ = 0;
+  int looks_in_band_ = 0;
+  Window window_;
+  double shear_start_time_ = 0, height0_ = 0, volume0_ = 0, void_ratio0_ = 0;
+  StressSample interval_;              // sums while open
+  int interval_steps_ = 0;
+  std::vector<StressSample> samples_;
+};
+
+/// Numbers and curves of a shear run; ids carry sigma3. `end_strain` closes the last quarter.
+void add_stress_results(const std::vector<StressSample>& samples, double sigma3, double end_strain, double void_ratio0,
+                        StageResult& out);
+
+}  // namespace regolab::protocol

@@ -1,0 +1,55 @@
+#include <cmath>
+#include <string>
+
+#include "vocab/canonical.h"
+#include "worker/stage/run_stage.h"
+
+namespace regolab {
+namespace {
+
+struct Limit {
+  const char* name;
+  double value, low, high;
+};
+
+std::string outside(const Limit& limit) {
+  return std::string(limit.name) + "=" + std::to_string(limit.value) + " (must be from " + std::to_string(limit.low) + " to " +
+         std::to_string(limit.high) + ", SI units) change it in the job or design";
+}
+
+}  // namespace
+
+std::string breach_of(const StageSpec& spec) {
+  const Micro& m = spec.micro;
+  const Numerics& n = spec.numerics;
+  const Base base = base_of(spec);
+  const double largest = m.largest_diameter;
+  const Limit limits[] = {
+      {"clusters", static_cast<double>(n.clusters), 2, 20000},
+      {"friction_angle", m.friction_angle, 0, 1.5533},  // 89 degrees
+      {"normal_stiffness", m.normal_stiffness, 1, 1e9},
+      {"tangential_stiffness", m.tangential_stiffness, 1, 1e9},
+      {"normal_damping", m.normal_damping, 0, 1e4},
+      {"tangential_damping", m.tangential_damping, 0, 1e4},
+      {"largest_diameter", largest, 1e-5, 1},
+      {"grain_density", m.grain_density, 100, 30000},
+      {"gravity", m.gravity, 1e-3, 100},
+      {"box_length", base.length, 1.5 * largest, 1000 * largest},
+      {"box_width", base.width, 1.5 * largest, 1000 * largest},
+      {"settle_stiffness_number", n.settle_stiffness_number, 0, 1e9},
+      {"stress_stiffness_number", n.stress_stiffness_number, 0, 1e9},
+      {"mass_floor", n.mass_floor, 0, 1},
+      {"step_fraction", n.step_fraction, 1e-4, 1},
+      {"inertial_number", n.inertial_number, 1e-6, 1},
+      {"axial_strain", n.axial_strain, 0.06, 0.6},
+  };
+  for (const Limit& limit : limits) {
+    if (!(limit.value >= limit.low && limit.value <= limit.high)) return outside(limit);
+  }
+  if (spec.kind == StageKind::kStress && !(spec.confining_stress >= 1 && spec.confining_stress <= 1e6)) {
+    return outside({"confining_stress", spec.confining_stress, 1, 1e6});
+  }
+  return {};
+}
+
+}  // namespace regolab
