@@ -14,7 +14,8 @@ namespace {
 using namespace std::chrono_literals;
 using Clock = std::chrono::steady_clock;
 
-constexpr auto kCallLimit = 120s;  // analysis of the largest designs is far below
+constexpr auto kCallLimit = 120s;    // analysis of the largest designs is far below
+constexpr auto kStreamLimit = 5min;  // a stream is renewed, so that a peer that vanished without a word is noticed
 constexpr auto kReachLimit = 10s;
 constexpr auto kTryAgainEvery = 200ms;
 constexpr int kLargestReply = 256 << 20;  // the results of the largest design, all curves aside
@@ -191,14 +192,16 @@ Outcome Lab::compare_article(const std::string& experiment, pb::CompareArticleRe
 Outcome Lab::watch(const std::string& experiment, std::uint64_t from_seq, Clock::time_point until,
                    const std::function<void(const pb::WatchEvent&)>& on_event) {
   grpc::ClientContext context;
-  if (until != Clock::time_point::max()) context.set_deadline(wall(until - Clock::now()));
+  context.set_deadline(wall(std::min<Clock::duration>(until - Clock::now(), kStreamLimit)));
   const Cancelling cancelling(context, options_.stops);
   pb::WatchRequest request;
   request.set_experiment(experiment);
   request.set_from_seq(from_seq);
   const auto stream = stubs_->experiments->Watch(&context, request);
   for (pb::WatchEvent event; stream->Read(&event);) on_event(event);
-  return outcome_of(stream->Finish(), options_.address);
+  const grpc::Status status = stream->Finish();
+  const bool renew = status.error_code() == grpc::StatusCode::DEADLINE_EXCEEDED && Clock::now() < until;
+  return renew ? done() : outcome_of(status, options_.address);
 }
 
 Outcome Lab::export_stages(const std::string& experiment, const std::function<Outcome(const pb::ExportItem&)>& on_item) {

@@ -36,7 +36,7 @@ class Lab {
   Outcome check_article(pb::CheckArticleReply& reply);
   Outcome compare_article(const std::string& experiment, pb::CompareArticleReply& reply);
 
-  /// One stream, until it ends; kUnreachable when it broke. `until` ends it with kTimeout.
+  /// One stream, until it ends or is due for renewal; kUnreachable when it broke. `until` ends it with kTimeout.
   Outcome watch(const std::string& experiment, std::uint64_t from_seq, std::chrono::steady_clock::time_point until,
                 const std::function<void(const pb::WatchEvent&)>& on_event);
   /// Stops at the first outcome of `on_item` that is not ok, and returns it.
