@@ -1,0 +1,59 @@
+#include "worker/output/finished_stage.h"
+
+#include <openssl/evp.h>
+
+#include <array>
+
+#include "vocab/canonical.h"
+
+namespace regolab {
+
+std::vector<StageSpec> stages_of(const Job& job) {
+  const StageSpec settle{.kind = StageKind::kSettle, .micro = job.micro, .numerics = job.numerics, .seed = job.seed};
+  std::vector<StageSpec> stages{settle};
+  const auto add = [&](StageKind kind, double confining_stress) {
+    StageSpec spec = settle;
+    spec.kind = kind;
+    spec.confining_stress = confining_stress;
+    stages.push_back(spec);
+  };
+  add(StageKind::kFabric, 0);
+  if (job.repose) add(StageKind::kRepose, 0);
+  for (const double sigma3 : job.confining_stresses) add(StageKind::kStress, sigma3);
+  return stages;
+}
+
+std::string stage_name(StageKind kind) {
+  switch (kind) {
+    case StageKind::kSettle: return "settle";
+    case StageKind::kFabric: return "fabric";
+    case StageKind::kRepose: return "repose";
+    case StageKind::kStress: return "stress";
+  }
+  return "unknown";
+}
+
+std::string sha256_hex(std::string_view bytes) {
+  std::array<unsigned char, EVP_MAX_MD_SIZE> digest{};
+  unsigned int size = 0;
+  EVP_Digest(bytes.data(), bytes.size(), digest.data(), &size, EVP_sha256(), nullptr);
+  constexpr std::string_view kDigits = "0123456789abcdef";
+  std::string text;
+  for (unsigned int i = 0; i < size; ++i) {
+    text += kDigits[digest[i] >> 4];
+    text += kDigits[digest[i] & 15];
+  }
+  return text;
+}
+
+std::string stage_key(const StageSpec& spec) { return sha256_hex(canonical_text(spec)); }
+
+std::string job_key(const Job& job) {
+  std::string keys;
+  for (const StageSpec& spec : stages_of(job)) keys += stage_key(spec) + "\n";
+  return sha256_hex(keys);
+}
+
+std::string program_version() { return REGOLAB_VERSION; }
+
+}  // namespace regolab
