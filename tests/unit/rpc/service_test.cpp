@@ -169,10 +169,10 @@ TEST_F(ServiceTest, ABadDesignIsRefusedWithItsPlacesAndNothingIsStored) {
 
 TEST_F(ServiceTest, AWorkerOutlivesItsSchedulerAndDeliversThen) {
   const auto submitted = client->submit(l4_yaml(1));
-  const Worker a{*this, "a", {.duration_s = 0.3}};
+  const Worker a{*this, "a", {.duration_s = 0.15}}, b{*this, "b", {.duration_s = 0.15}};
   while (client->status(submitted.experiment()).running_size() == 0) std::this_thread::yield();
   server.reset();
-  std::this_thread::sleep_for(std::chrono::milliseconds(500));  // the stage ends while nobody listens
+  std::this_thread::sleep_for(std::chrono::milliseconds(300));  // the stages end while nobody listens
   start();
   const auto status = client->wait(submitted.experiment());
   EXPECT_EQ(status.state(), "done");
@@ -191,7 +191,7 @@ TEST_F(ServiceTest, ALeavingWorkerHandsItsCheckpointToTheNext) {
   start();
   const auto disturbed = client->submit(l4_yaml(1));
   std::atomic<int> resumed = 0;
-  const FakeStage fake{.duration_s = 0.3};
+  const FakeStage fake{.duration_s = 0.15};
   for (int i = 0; client->status(disturbed.experiment()).state() == "running"; ++i) {
     Session session(
         {.server = server->address(), .name = "w" + std::to_string(i), .stage = {.threads = 1, .checkpoint_every_s = 0.05}},
@@ -200,7 +200,7 @@ TEST_F(ServiceTest, ALeavingWorkerHandsItsCheckpointToTheNext) {
           return fake(spec, bed, checkpoint, hooks);
         });
     std::jthread thread([&] { session.run(); });
-    std::this_thread::sleep_for(std::chrono::milliseconds(430));
+    std::this_thread::sleep_for(std::chrono::milliseconds(220));
     session.leave();
   }
   EXPECT_GT(resumed, 2);
