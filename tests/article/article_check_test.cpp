@@ -39,8 +39,12 @@ TEST(ArticleCheck, TableEightFollowsOnlyWithTestThreeAsZero) {
   EXPECT_EQ(entry.explanation, "follows when test 3 counts as 0 instead of the 5.32 printed in Table 7: then 8.09");
   const double recomputed[] = {21.45, 7.43, 3.61, 2.84, 6.81, 4.27, 5.53, 3.07};
   const char* factors[] = {"theta_F", "K_N", "eta_N", "K_T", "eta_T", "L_S", "N_E", "rotation"};
-  for (int i = 0; i < 8; ++i) EXPECT_NEAR(entry_of(check, "Table 8", std::string("repose_angle, ") + factors[i]).recomputed, recomputed[i], 0.0055);
-  EXPECT_THAT(check.findings, Contains(HasSubstr("Table 8, repose_angle: 7 of 8 range factors do not follow from Table 7; all do when test 3 counts as 0")));
+  for (int i = 0; i < 8; ++i)
+    EXPECT_NEAR(entry_of(check, "Table 8", std::string("repose_angle, ") + factors[i]).recomputed, recomputed[i], 0.0055);
+  EXPECT_THAT(
+      check.findings,
+      Contains(HasSubstr(
+          "Table 8, repose_angle: 7 of 8 range factors do not follow from Table 7; all do when test 3 counts as 0")));
 }
 
 TEST(ArticleCheck, TableTenLostADigit) {
@@ -54,7 +58,9 @@ TEST(ArticleCheck, TableTenLostADigit) {
 
 TEST(ArticleCheck, TableFiveContradictsItselfAtTest26Only) {
   const ArticleCheck check = check_article();
-  EXPECT_THAT(check.findings, Contains(HasSubstr("Table 5, test 26: density 1.68 and void ratio 0.79 contradict each other (2.93/rho - 1 = 0.74)")));
+  EXPECT_THAT(
+      check.findings,
+      Contains(HasSubstr("Table 5, test 26: density 1.68 and void ratio 0.79 contradict each other (2.93/rho - 1 = 0.74)")));
   for (const int test : {7, 8, 9, 17, 19}) {  // off by 0.01 in print, within the rounding of the density
     EXPECT_TRUE(entry_of(check, "Table 5", "void_ratio from bulk_density, test " + std::to_string(test)).agrees) << test;
   }

@@ -40,8 +40,8 @@ TEST(ArticleData, OnlyOneStiffnessMakesTestFiveOrthogonal) {
 }
 
 TEST(ArticleData, TheExampleDesignIsTableTwo) {
-  const Read<Design> design =
-      read_design({testing_support::read_file(REGOLAB_SOURCE "/client/examples/article-l32.yaml"), "article-l32.yaml", {}}, {});
+  const Read<Design> design = read_design(
+      {testing_support::read_file(REGOLAB_SOURCE "/client/examples/article-l32.yaml"), "article-l32.yaml", {}}, {});
   ASSERT_TRUE(design.ok());
   const ResultTable article = article_results();
   ASSERT_EQ(design.value->factors.size(), article.factors.size());
@@ -50,7 +50,8 @@ TEST(ArticleData, TheExampleDesignIsTableTwo) {
     EXPECT_EQ(design.value->factors[i].unit, article.factors[i].unit);
     EXPECT_EQ(design.value->factors[i].labels, article.factors[i].levels);
   }
-  for (std::size_t test = 0; test < 32; ++test) EXPECT_EQ(design.value->points[test].level, article.rows[test].level) << test + 1;
+  for (std::size_t test = 0; test < 32; ++test)
+    EXPECT_EQ(design.value->points[test].level, article.rows[test].level) << test + 1;
 }
 
 TEST(ArticleData, ValuesAreInSi) {

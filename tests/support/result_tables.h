@@ -10,9 +10,10 @@
 
 namespace regolab::testing_support {
 
-/// Factors A, B, C, ... with levels "1", "2", ...; one row per entry of `rows` (0-based levels) and `y` (response "y", unit 1).
-/// A value that is not a number is missing, "not measured".
-inline ResultTable table_of(const std::vector<int>& levels, const std::vector<std::vector<int>>& rows, const std::vector<double>& y) {
+/// Factors A, B, C, ... with levels "1", "2", ...; one row per entry of `rows` (0-based levels) and `y` (response "y", unit
+/// 1). A value that is not a number is missing, "not measured".
+inline ResultTable table_of(const std::vector<int>& levels, const std::vector<std::vector<int>>& rows,
+                            const std::vector<double>& y) {
   ResultTable table;
   table.experiment = "test";
   table.responses = {{"y", "1"}};
@@ -23,8 +24,10 @@ inline ResultTable table_of(const std::vector<int>& levels, const std::vector<st
   }
   for (std::size_t i = 0; i < rows.size(); ++i) {
     TableRow row{.point = static_cast<int>(i) + 1, .seed = 1, .level = rows[i], .value = {}, .missing = {}};
-    if (std::isnan(y[i])) row.missing["y"] = "not measured";
-    else row.value["y"] = y[i];
+    if (std::isnan(y[i]))
+      row.missing["y"] = "not measured";
+    else
+      row.value["y"] = y[i];
     table.rows.push_back(std::move(row));
   }
   return table;

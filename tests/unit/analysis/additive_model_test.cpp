@@ -19,10 +19,12 @@ double uniform(Dice& dice) { return static_cast<double>(dice.next() >> 11) * 0x1
 /// The twin: 0/1 columns for every level but the first, solved densely, nothing shared with AdditiveModel.
 struct Twin {
   double rss = 0;
-  std::vector<std::vector<double>> marginal;  // [n_factors][n_levels] prediction at the level, averaged over all other level combinations
+  std::vector<std::vector<double>>
+      marginal;  // [n_factors][n_levels] prediction at the level, averaged over all other level combinations
 };
 
-Twin twin_fit(const std::vector<int>& levels, const std::vector<std::vector<int>>& rows, const std::vector<double>& y, std::size_t left_out = 1000) {
+Twin twin_fit(const std::vector<int>& levels, const std::vector<std::vector<int>>& rows, const std::vector<double>& y,
+              std::size_t left_out = 1000) {
   Eigen::Index columns = 1;
   for (std::size_t f = 0; f < levels.size(); ++f) columns += f == left_out ? 0 : levels[f] - 1;
   Eigen::MatrixXd x = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(rows.size()), columns);
@@ -58,7 +60,9 @@ Twin twin_fit(const std::vector<int>& levels, const std::vector<std::vector<int>
   return twin;
 }
 
-double spread(const std::vector<double>& values) { return *std::max_element(values.begin(), values.end()) - *std::min_element(values.begin(), values.end()); }
+double spread(const std::vector<double>& values) {
+  return *std::max_element(values.begin(), values.end()) - *std::min_element(values.begin(), values.end());
+}
 
 struct Data {
   std::vector<int> levels;
@@ -104,7 +108,8 @@ TEST(AdditiveModel, EqualsABruteForceFitOnUnbalancedData) {
       const Effect effect = model.effect(f);
       EXPECT_NEAR(effect.sum_of_squares, twin_fit(data.levels, data.rows, data.y, f).rss - twin.rss, 1e-8);
       EXPECT_NEAR(effect.range, spread(twin.marginal[f]), 1e-9);
-      for (std::size_t level = 0; level < effect.mean.size(); ++level) EXPECT_NEAR(effect.mean[level], twin.marginal[f][level], 1e-9);
+      for (std::size_t level = 0; level < effect.mean.size(); ++level)
+        EXPECT_NEAR(effect.mean[level], twin.marginal[f][level], 1e-9);
     }
   }
   EXPECT_GT(checked, 50);
@@ -127,7 +132,9 @@ TEST(AdditiveModel, LeavingOneRunOutEqualsFittingTheRest) {
         ++checked;
         EXPECT_NEAR(without->range, refit.effect(f).range, 1e-8);
         ASSERT_EQ(without->p.has_value(), refit.effect(f).p.has_value());
-        if (without->p) EXPECT_NEAR(*without->p, *refit.effect(f).p, 1e-8);
+        if (without->p) {
+          EXPECT_NEAR(*without->p, *refit.effect(f).p, 1e-8);
+        }
       }
     }
   }
@@ -147,7 +154,7 @@ TEST(AdditiveModel, AgreesWithAHandComputedAnalysisOfVariance) {
   const Effect a = model.effect(0);
   EXPECT_NEAR(a.sum_of_squares, 24, 1e-12);  // 3 (4 + 0 + 4)
   EXPECT_EQ(a.degrees_of_freedom, 2);
-  EXPECT_NEAR(*a.f, 4, 1e-12);  // (24/2)/(12/4)
+  EXPECT_NEAR(*a.f, 4, 1e-12);        // (24/2)/(12/4)
   EXPECT_NEAR(*a.p, 1.0 / 9, 1e-12);  // for 2 and n degrees of freedom p = (1 + 2F/n)^(-n/2) = 3^-2
   EXPECT_NEAR(a.range, 4, 1e-12);
   EXPECT_NEAR(a.mean[2], 12, 1e-12);

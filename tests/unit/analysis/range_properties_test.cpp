@@ -28,7 +28,8 @@ TEST(RangeProperties, SumsOfSquaresAddUpWhenBalanced) {
   for (int trial = 0; trial < 50; ++trial) {
     const std::vector<double> y = random_values(dice, 9);
     const ResponseAnalysis analysis = analyse(y);
-    double total = 0, parts = analysis.residual_standard_deviation * analysis.residual_standard_deviation * analysis.error_degrees_of_freedom;
+    double total = 0, parts = analysis.residual_standard_deviation * analysis.residual_standard_deviation *
+                              analysis.error_degrees_of_freedom;
     for (const double value : y) total += (value - analysis.mean) * (value - analysis.mean);
     for (const FactorAnalysis& factor : analysis.factors) parts += factor.sum_of_squares;
     EXPECT_NEAR(parts, total, 1e-9 * total);

@@ -149,8 +149,8 @@ TEST(BadDesign, NothingVaries) {
 
 TEST(BadDesign, TooManyStages) {
   const std::string text = replaced(kGood, "seeds: 1", "seeds: 1000");
-  const std::string full = replaced(replaced(replaced(text, "array: L9", "array: full"), "  rotation: xz\n", ""), "factors:\n",
-                                    "factors:\n  rotation: [x, z]\n");
+  const std::string full = replaced(replaced(replaced(text, "array: L9", "array: full"), "  rotation: xz\n", ""),
+                                    "factors:\n", "factors:\n  rotation: [x, z]\n");
   EXPECT_THAT(read(full).diagnostics, ElementsAre(at(0, 0, "the study has 162000 stages (at most 100000)")));
 }
 
