@@ -44,7 +44,7 @@ std::vector<double> read_sigma3(const YamlNode& list, Report& report) {
     const auto same = [&](double other) { return std::round(other) == std::round(*stress); };  // ids name whole pascals
     if (std::ranges::any_of(stresses, same)) {
       report.add(item.place,
-                 "stress.sigma3: " + quoted(item.text) + " stands twice (each pressure is measured once) remove one");
+                 "stress.sigma3: " + excerpt(item.text) + " stands twice (each pressure is measured once) remove one");
     }
     stresses.push_back(*stress);
   }

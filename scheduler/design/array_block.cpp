@@ -17,6 +17,10 @@ std::vector<int> level_counts(const std::vector<FactorLevels>& factors) {
   return levels;
 }
 
+bool all_readable(const std::vector<FactorLevels>& factors) {
+  return std::ranges::all_of(factors, [](const FactorLevels& factor) { return factor.values.size() >= 2; });
+}
+
 std::string counts_text(const std::vector<FactorLevels>& factors) {
   std::string text;
   for (const FactorLevels& factor : factors) {
@@ -50,7 +54,7 @@ std::vector<int> read_row(const YamlNode& node, std::size_t number, const std::v
     const auto level = level_of(factor, *value);
     if (!level)
       report.add(node.items[i].place,
-                 name + ": " + quoted(node.items[i].text) + " is no level of it (`factors` lists them) use one of those");
+                 name + ": " + excerpt(node.items[i].text) + " is no level of it (`factors` lists them) use one of those");
     row.push_back(level.value_or(0));
   }
   return row;
@@ -66,6 +70,7 @@ std::vector<std::vector<int>> read_rows(const YamlNode& node, const std::vector<
     report.add(node.place, "array.rows without factors (the rows' columns are the factors in their order) add `factors`");
     return {};
   }
+  if (!all_readable(factors)) return {};  // said where the factors are
   const std::size_t before = report.size();
   std::vector<std::vector<int>> rows;
   for (const YamlNode& item : node.items) rows.push_back(read_row(item, rows.size() + 1, factors, report));
@@ -78,7 +83,7 @@ std::vector<std::vector<int>> attached_table(const YamlNode& node, DampingUnit d
                                              std::vector<Diagnostic>& elsewhere) {
   const auto file = node.is_scalar() ? attachments.find(node.text) : attachments.end();
   if (file == attachments.end()) {
-    report.add(node.place, "array.table: '" + quoted(node.text) +
+    report.add(node.place, "array.table: '" + excerpt(node.text) +
                                "' did not come with the design (the file was not found beside it) check the name");
     return {};
   }
@@ -94,7 +99,7 @@ void check_claim(const YamlNode& name, const std::vector<std::vector<int>>& rows
                  Report& report) {
   const std::string claim = "L" + std::to_string(rows.size());
   if (name.text != claim) {
-    report.add(name.place, "array.name: '" + quoted(name.text) + "' (the rows given are " + std::to_string(rows.size()) +
+    report.add(name.place, "array.name: '" + excerpt(name.text) + "' (the rows given are " + std::to_string(rows.size()) +
                                ") write " + claim + ", or leave the name out");
     return;
   }
@@ -147,8 +152,7 @@ ArrayRows read_array(MapReader& top, DampingUnit damping, const std::map<std::st
                "array is " + std::string(name_of(node->kind)) + " (must be a name or a map) write e.g. `array: auto`");
     return {};
   }
-  const bool readable = std::ranges::all_of(factors, [](const FactorLevels& factor) { return factor.values.size() >= 2; });
-  if (factors.empty() || !readable) return {};  // said elsewhere
+  if (factors.empty() || !all_readable(factors)) return {};  // said where the factors are
   return built_in(node != nullptr ? node->text : "auto", node != nullptr ? node->place : top.node().place, factors, report);
 }
 

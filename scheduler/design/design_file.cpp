@@ -21,7 +21,7 @@ std::string read_study_name(MapReader& top, Report& report) {
   constexpr std::size_t kLongestName = 64;
   const YamlNode* node = top.get("name");
   if (node == nullptr) return "study";
-  if (node->is_scalar() && !node->text.empty() && node->text.size() <= kLongestName) return quoted(node->text);
+  if (node->is_scalar() && !node->text.empty() && node->text.size() <= kLongestName) return excerpt(node->text);
   report.add(node->place,
              "name (must be text of 1 to " + std::to_string(kLongestName) + " bytes) write e.g. `name: friction-study`");
   return "study";
@@ -47,7 +47,7 @@ std::vector<std::uint64_t> read_seeds(MapReader& top, unsigned override_count, R
       const auto seed = read_whole(item, 0, kLargestSeed, "seeds", report);
       if (!seed) continue;
       if (std::ranges::find(seeds, *seed) != seeds.end()) {
-        report.add(item.place, "seeds: " + quoted(item.text) + " stands twice (equal seeds give equal runs) remove one");
+        report.add(item.place, "seeds: " + excerpt(item.text) + " stands twice (equal seeds give equal runs) remove one");
       }
       seeds.push_back(*seed);
     }
@@ -77,6 +77,16 @@ Place place_of_key(const YamlNode& map, std::string_view key) {
     if (k.text == key) return k.place;
   }
   return map.place;
+}
+
+/// Whether the factors were to come from a table: one that could not be read says nothing about them.
+bool names_table(const YamlNode& root) {
+  for (std::size_t i = 0; i < root.keys.size(); ++i) {
+    if (root.keys[i].text == "array") {
+      return std::ranges::any_of(root.items[i].keys, [](const YamlKey& key) { return key.text == "table"; });
+    }
+  }
+  return false;
 }
 
 void read_fixed_block(MapReader& top, Parts& parts, Report& report) {
@@ -126,6 +136,19 @@ std::vector<DesignPoint> make_points(const Parts& parts) {
     points.push_back({static_cast<int>(points.size()) + 1, row, settings.micro, settings.numerics});
   }
   return points;
+}
+
+/// Two equal points would be one run counted twice.
+void check_distinct(const Design& design, Place place, Report& report) {
+  std::map<std::vector<int>, int> seen;
+  for (const DesignPoint& point : design.points) {
+    const auto [first, added] = seen.emplace(point.level, point.point);
+    if (added) continue;
+    report.add(place, "array: points " + std::to_string(first->second) + " and " + std::to_string(point.point) +
+                          " are the same (equal points give one run, which would count twice) use `auto` or `full`, or "
+                          "`seeds` for repeats");
+    return;
+  }
 }
 
 void check_boxes(const std::vector<DesignPoint>& points, Place place, Report& report) {
@@ -214,7 +237,8 @@ Read<Design> read_design(const DesignFiles& files, const DesignOverrides& overri
   parts.factors = read_factors(top, parts.damping, report);
   parts.factors_place = place_of_key(*root, "factors");
   parts.array = read_array(top, parts.damping, files.attachments, parts.factors, report, elsewhere);
-  if (top.is_map()) check_said_once(parts, report);
+  const bool table_failed = parts.factors.empty() && parts.array.rows.empty() && names_table(*root);
+  if (top.is_map() && !table_failed) check_said_once(parts, report);
   if (top.is_map() && parts.factors.empty() && elsewhere.empty() && report.empty()) {
     report.add(parts.factors_place,
                "no factors (a design varies something) add `factors`, or use a job file for one material");
@@ -228,6 +252,7 @@ Read<Design> read_design(const DesignFiles& files, const DesignOverrides& overri
     design.seeds = std::move(seeds);
     design.repose = tests.repose;
     design.confining_stresses = std::move(tests.confining_stresses);
+    check_distinct(design, place_of_key(*root, "array"), report);
     check_boxes(design.points, place_of_key(*root, "box"), report);
     const std::size_t stages =
         design.points.size() * design.seeds.size() * (2 + (design.repose ? 1 : 0) + design.confining_stresses.size());

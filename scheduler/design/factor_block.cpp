@@ -45,7 +45,7 @@ void read_levels(const YamlNode& list, const std::string& path, FactorLevels& fa
     const auto value = read_field(factor.field, item, factor.unit, path, report);
     if (!value) continue;
     if (level_of(factor, *value)) {
-      report.add(item.place, path + ": level " + quoted(item.text) + " stands twice (levels differ) remove one");
+      report.add(item.place, path + ": level " + excerpt(item.text) + " stands twice (levels differ) remove one");
     }
     factor.values.push_back(*value);
   }
@@ -80,7 +80,7 @@ std::vector<FactorLevels> read_factors(MapReader& top, DampingUnit damping, Repo
     const YamlKey& key = node->keys[i];
     const Field* field = find_field(key.text);
     if (field == nullptr) {
-      report.add(key.place, "unknown factor '" + quoted(key.text) + "' (no parameter has that name) " +
+      report.add(key.place, "unknown factor '" + excerpt(key.text) + "' (no parameter has that name) " +
                                 suggestion(key.text, field_names()));
       continue;
     }

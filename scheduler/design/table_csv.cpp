@@ -99,14 +99,14 @@ std::vector<Column> read_headings(const Line& line, DampingUnit damping, const s
     if (i == 0 && (cell.text == "point" || cell.text == "test")) continue;
     const Heading heading = parse_heading(cell.text);
     if (heading.field == nullptr) {
-      report.add(cell.place, "unknown column '" + quoted(cell.text) +
+      report.add(cell.place, "unknown column '" + excerpt(cell.text) +
                                  "' (a column is a factor with its unit, e.g. K_N_N_per_m or `K_N (N/m)`) " +
                                  suggestion(cell.text, names_of(all_fields())));
       continue;
     }
     const auto same = [&](const auto& other) { return other.factor.field.name == heading.field->name; };
     if (std::ranges::any_of(columns, same)) {
-      report.add(cell.place, "duplicate column '" + quoted(cell.text) + "' (each factor has one) remove it");
+      report.add(cell.place, "duplicate column '" + excerpt(cell.text) + "' (each factor has one) remove it");
       continue;
     }
     FactorLevels factor{.field = under(*heading.field, damping), .unit = heading.unit, .values = {}, .place = cell.place};
@@ -114,7 +114,7 @@ std::vector<Column> read_headings(const Line& line, DampingUnit damping, const s
     if (given != factors.end()) factor.values = given->values;
     if (given == factors.end() && !factors.empty()) {
       report.add(cell.place,
-                 "column '" + quoted(cell.text) +
+                 "column '" + excerpt(cell.text) +
                      "' is no factor of the design (`factors` lists others) add it there, or leave `factors` out");
     }
     columns.push_back({.cell = i, .factor = std::move(factor), .values = {}});
@@ -138,7 +138,7 @@ void read_row(const Line& line, std::size_t row, std::size_t width, bool counted
   }
   if (counted && line.front().text != std::to_string(row + 1)) {
     report.add(line.front().place,
-               "point '" + quoted(line.front().text) + "' (points count 1, 2, 3, ...) write " + std::to_string(row + 1));
+               "point '" + excerpt(line.front().text) + "' (points count 1, 2, 3, ...) write " + std::to_string(row + 1));
   }
   for (Column& column : columns) {
     const Cell& cell = line[column.cell];
@@ -147,7 +147,7 @@ void read_row(const Line& line, std::size_t row, std::size_t width, bool counted
     column.values.push_back(value.value_or(NAN));
     if (value && !column.factor.values.empty() && !level_of(column.factor, *value)) {
       report.add(cell.place,
-                 path + ": " + quoted(cell.text) + " is no level of it (`factors` lists the levels) use one of those");
+                 path + ": " + excerpt(cell.text) + " is no level of it (`factors` lists the levels) use one of those");
     }
   }
 }
