@@ -64,7 +64,7 @@ class VolumeShare {
     sum_ += share;
   }
   void expect(double mean, double low, double high) const {  // three digits, as the restored geometry states them
-    EXPECT_NEAR(sum_ / kDraws, mean, 6e-4);
+    EXPECT_NEAR(sum_ / kDraws, mean, 1e-3);
     EXPECT_NEAR(low_, low, 1e-3);
     EXPECT_NEAR(high_, high, 1e-3);
   }
