@@ -16,9 +16,10 @@ install_missing() {
   [ -z "$missing" ] && return 0
   local sudo=
   if [ "$(id -u)" != 0 ]; then
-    command -v sudo >/dev/null || { echo "missing packages (not root and no sudo), install them: $missing" >&2; return 1; }
+    command -v sudo >/dev/null || { echo "missing packages (not root and no sudo) install them: $(echo $missing)" >&2; return 1; }
     sudo=sudo
   fi
+  # shellcheck disable=SC2086,SC2116
   echo "installing: $(echo $missing)" >&2
   $sudo apt-get update -qq >&2 || return 1
   # shellcheck disable=SC2086
@@ -29,6 +30,6 @@ build_regolab() {
   local options=()
   while [ $# -gt 0 ] && [ "$1" != -- ]; do options+=("$1"); shift; done
   [ "${1:-}" = -- ] && shift
-  cmake -S "$root" -B "$root/build" -G Ninja -DCMAKE_BUILD_TYPE=Release "${options[@]}" >/dev/null || return 1
-  cmake --build "$root/build" ${1:+--target "$@"}
+  cmake -S "$root" -B "$root/build" -G Ninja -DCMAKE_BUILD_TYPE=Release ${options[@]+"${options[@]}"} >/dev/null || return 1
+  cmake --build "$root/build" --parallel "$(nproc)" ${1:+--target "$@"}
 }

@@ -1,6 +1,7 @@
 #include "input/blocks.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "input/field_value.h"
 #include "input/number_text.h"
@@ -40,9 +41,10 @@ std::vector<double> read_sigma3(const YamlNode& list, Report& report) {
   for (const YamlNode& item : list.items) {
     const auto stress = read_field(kSigma3, item, "", "stress.sigma3", report);
     if (!stress) continue;
-    if (std::ranges::find(stresses, *stress) != stresses.end()) {
+    const auto same = [&](double other) { return std::round(other) == std::round(*stress); };  // ids name whole pascals
+    if (std::ranges::any_of(stresses, same)) {
       report.add(item.place,
-                 "stress.sigma3: " + quoted(item.text) + " stands twice (each pressure is measured once) remove one");
+                 "stress.sigma3: " + excerpt(item.text) + " stands twice (each pressure is measured once) remove one");
     }
     stresses.push_back(*stress);
   }

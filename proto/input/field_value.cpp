@@ -26,13 +26,13 @@ std::optional<double> read_choice(const Field& field, std::string_view text, con
     if (text == choice.name || text == choice.alias) return choice.value;
     names.push_back(choice.name);
   }
-  report.add(place, path + ": '" + quoted(text) + "' is no " + std::string(field.what) + " (" + std::string(field.usual) +
+  report.add(place, path + ": '" + excerpt(text) + "' is no " + std::string(field.what) + " (" + std::string(field.usual) +
                         ") choose one of " + join_names(names));
   return std::nullopt;
 }
 
 std::string missing_unit(const Field& field, std::string_view text, const std::string& path) {
-  const std::string shown = quoted(text);
+  const std::string shown = excerpt(text);
   return path + ": " + shown + " has no unit (a " + std::string(field.what) + " needs one) write e.g. `" + shown + " " +
          std::string(door_unit_of(field)) + "`";
 }
@@ -44,17 +44,17 @@ std::optional<double> read_quantity(const Field& field, std::string_view text, s
                                     const std::string& path, Place place, Report& report) {
   const auto number = leading_number(text);
   if (!number) {
-    report.add(place, path + ": '" + quoted(text) + "' is not a number (a " + std::string(field.what) +
+    report.add(place, path + ": '" + excerpt(text) + "' is not a number (a " + std::string(field.what) +
                           " is needed) write one " + range_text(field));
     return std::nullopt;
   }
   if (!std::isfinite(number->value)) {
-    report.add(place, path + ": " + quoted(text) + " is not a finite number (nothing can be computed from it) write one " +
+    report.add(place, path + ": " + excerpt(text) + " is not a finite number (nothing can be computed from it) write one " +
                           range_text(field));
     return std::nullopt;
   }
   if (number->rest.starts_with(',')) {
-    report.add(place, path + ": '" + quoted(text) + "' has a comma (decimals take a point here) write e.g. 1.5");
+    report.add(place, path + ": '" + excerpt(text) + "' has a comma (decimals take a point here) write e.g. 1.5");
     return std::nullopt;
   }
   const bool pure = field.si == "1";
@@ -79,11 +79,11 @@ std::optional<double> read_field(const Field& field, std::string_view text, std:
   const auto value = read_quantity(field, text, bare_unit, path, place, report);
   if (!value) return std::nullopt;
   if (field.whole && *value != std::floor(*value)) {
-    report.add(place, path + ": " + quoted(text) + " (must be a whole number) write one " + range_text(field));
+    report.add(place, path + ": " + excerpt(text) + " (must be a whole number) write one " + range_text(field));
     return std::nullopt;
   }
   if (!in_range(field, *value)) {
-    report.add(place, path + ": " + quoted(text) + " (must be " + range_text(field) + ") " + std::string(field.usual));
+    report.add(place, path + ": " + excerpt(text) + " (must be " + range_text(field) + ") " + std::string(field.usual));
     return std::nullopt;
   }
   return value;
@@ -105,7 +105,7 @@ std::optional<std::uint64_t> read_whole(const YamlNode& node, std::uint64_t low,
   const bool whole =
       number && number->rest.empty() && std::isfinite(number->value) && number->value == std::floor(number->value);
   if (!whole || number->value < static_cast<double>(low) || number->value > static_cast<double>(high)) {
-    report.add(node.place, path + ": " + (node.is_scalar() ? quoted(node.text) : std::string(name_of(node.kind))) + wanted);
+    report.add(node.place, path + ": " + (node.is_scalar() ? excerpt(node.text) : std::string(name_of(node.kind))) + wanted);
     return std::nullopt;
   }
   return static_cast<std::uint64_t>(number->value);
@@ -121,7 +121,7 @@ std::optional<std::size_t> read_name(const YamlNode& node, std::span<const std::
   for (std::size_t i = 0; i < names.size(); ++i) {
     if (node.text == names[i]) return i;
   }
-  report.add(node.place, path + ": unknown name '" + quoted(node.text) + "' (it must be one of those known) " +
+  report.add(node.place, path + ": unknown name '" + excerpt(node.text) + "' (it must be one of those known) " +
                              suggestion(node.text, names));
   return std::nullopt;
 }

@@ -28,7 +28,8 @@ const YamlNode* MapReader::get(std::string_view key) {
   known_.push_back(key);
   const YamlNode* value = find(key);
   if (value != nullptr && value->kind == YamlNode::Kind::kNull) {
-    report_.add(value->place, path_of(key) + " has no value (the key stands alone) give one or remove the line");
+    report_.add(node_.keys[static_cast<std::size_t>(value - node_.items.data())].place,
+                path_of(key) + " has no value (the key stands alone) give one or remove the line");
     return nullptr;
   }
   return value;
@@ -47,7 +48,7 @@ void MapReader::finish() {
   for (const YamlKey& key : node_.keys) {
     if (std::find(known_.begin(), known_.end(), key.text) != known_.end()) continue;
     report_.add(key.place,
-                "unknown key '" + quoted(path_of(key.text)) + "' (nothing would read it) " + suggestion(key.text, known_));
+                "unknown key '" + excerpt(path_of(key.text)) + "' (nothing would read it) " + suggestion(key.text, known_));
   }
 }
 

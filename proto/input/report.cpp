@@ -46,7 +46,7 @@ std::vector<Diagnostic> Report::take() {
   return std::exchange(diagnostics_, {});
 }
 
-std::string quoted(std::string_view text) {
+std::string excerpt(std::string_view text) {
   constexpr std::size_t kMostBytes = 60;
   std::string shown(text.substr(0, kMostBytes));
   if (text.size() > kMostBytes) {

@@ -38,6 +38,6 @@ class Report {
 };
 
 /// A piece of input fit for a message: control bytes shown as '?', at most 60 bytes.
-std::string quoted(std::string_view text);
+std::string excerpt(std::string_view text);
 
 }  // namespace regolab

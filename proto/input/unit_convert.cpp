@@ -38,7 +38,9 @@ Unit parse_unit(std::string_view text) {
   constexpr std::size_t kLongestUnit = 40;
   const bool scaled = !text.empty() && text.front() >= '0' && text.front() <= '9' && text != "1" && !text.starts_with("1/");
   if (text.empty() || text.size() > kLongestUnit || scaled) return nullptr;  // "5 10 m" is a slip, not a unit
-  const std::string name = text == "deg" ? "degree" : std::string(text);
+  std::string name(text);
+  if (text == "deg") name = "degree";  // two writings people use that UDUNITS does not know
+  if (text == "Ns/m") name = "N s/m";
   return Unit(ut_parse(unit_system(), name.c_str(), UT_UTF8));
 }
 
@@ -101,14 +103,14 @@ Result<double> convert_to_si(double value, std::string_view written, std::string
   }
   const Unit from = parse_unit(unit);
   const std::string wanted = "expected " + std::string(si == "1" ? "a pure number" : si) + " (" + std::string(what) + ")";
-  if (!from) return invalid("unknown unit '" + quoted(unit) + "', " + wanted);
+  if (!from) return invalid("unknown unit '" + excerpt(unit) + "', " + wanted);
   const Unit to(ut_parse(unit_system(), std::string(si).c_str(), UT_ASCII));
   if (!same_dimension(from.get(), to.get())) {
-    return invalid(quoted(written) + " is " + dimension_name(from.get()) + ", " + wanted);
+    return invalid(excerpt(written) + " is " + dimension_name(from.get()) + ", " + wanted);
   }
   const Converter converter(ut_get_converter(from.get(), to.get()));
   const double converted = converter ? cv_convert_double(converter.get(), value) : NAN;
-  if (!std::isfinite(converted)) return invalid(quoted(written) + " (too large to convert), " + wanted);
+  if (!std::isfinite(converted)) return invalid(excerpt(written) + " (too large to convert), " + wanted);
   return converted;
 }
 

@@ -53,7 +53,7 @@ class TreeBuilder : public YAML::EventHandler {
   }
   void refuse_tag(const YAML::Mark& mark, const std::string& tag) {
     if (tag.empty() || tag == "?" || tag == "!") return;  // yaml-cpp's marks for plain and quoted text
-    report_.add(place_of(mark), "tag '" + quoted(tag) + "' (tags are not used here) leave it out");
+    report_.add(place_of(mark), "tag '" + excerpt(tag) + "' (tags are not used here) leave it out");
   }
   void open(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor, YamlNode::Kind kind) {
     refuse_anchor(mark, anchor);
@@ -91,7 +91,7 @@ class TreeBuilder : public YAML::EventHandler {
     } else {
       const auto same = [&](const YamlKey& other) { return other.text == key.text; };
       if (const auto first = std::find_if(parent.keys.begin(), parent.keys.end(), same); first != parent.keys.end()) {
-        report_.add(key.place, "duplicate key '" + quoted(key.text) + "' (already given in line " +
+        report_.add(key.place, "duplicate key '" + excerpt(key.text) + "' (already given in line " +
                                    std::to_string(first->place.line) + ") keep one of them");
       }
     }
@@ -191,7 +191,7 @@ std::optional<YamlNode> parse_yaml(std::string_view text, Report& report) {
     return root;
   } catch (const YAML::Exception& e) {
     const Place place = e.mark.is_null() ? Place{} : place_of(e.mark);
-    report.add(place, "not valid YAML (" + quoted(e.msg) +
+    report.add(place, "not valid YAML (" + excerpt(e.msg) +
                           ") check brackets, quotes and indentation here; the file may be cut off");
     return std::nullopt;
   }

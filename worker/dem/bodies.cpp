@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "worker/dem/hot.h"
+
 namespace regolab::dem {
 namespace {
 
@@ -114,6 +116,27 @@ void place_spheres(const Bodies& bodies, Spheres& spheres) {
       spheres.z[s] = bz + (r[6] * ox + r[7] * oy + r[8] * oz);
     }
   }
+}
+
+Poses poses_of(const Bodies& b) { return {b.x, b.y, b.z, b.qw, b.qx, b.qy, b.qz}; }
+
+REGOLAB_HOT bool moved_beyond(double limit, const Poses& since, const Bodies& bodies) {
+  // |dq| = 2 sin(angle/4), so angle < 2.1 |dq| up to 70 degrees; a larger turn is far beyond any skin.
+  constexpr double kAnglePerQuaternion = 2.1;
+  const std::size_t n = bodies.x.size();
+  const double *x = bodies.x.data(), *y = bodies.y.data(), *z = bodies.z.data(), *reach = bodies.reach.data();
+  const double *qw = bodies.qw.data(), *qx = bodies.qx.data(), *qy = bodies.qy.data(), *qz = bodies.qz.data();
+  const double *x0 = since.x.data(), *y0 = since.y.data(), *z0 = since.z.data();
+  const double *w0 = since.qw.data(), *a0 = since.qx.data(), *b0 = since.qy.data(), *c0 = since.qz.data();
+  int beyond = 0;
+  for (std::size_t i = 0; i < n; ++i) {
+    const double dx = x[i] - x0[i], dy = y[i] - y0[i], dz = z[i] - z0[i];
+    const double dw = qw[i] - w0[i], da = qx[i] - a0[i], db = qy[i] - b0[i], dc = qz[i] - c0[i];
+    const double shift = std::sqrt(dx * dx + dy * dy + dz * dz);
+    const double turn = std::sqrt(dw * dw + da * da + db * db + dc * dc);
+    beyond |= shift + kAnglePerQuaternion * reach[i] * turn > limit ? 1 : 0;
+  }
+  return beyond != 0;
 }
 
 }  // namespace regolab::dem

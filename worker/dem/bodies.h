@@ -68,4 +68,16 @@ std::array<double, 9> rotation_of(const Bodies& bodies, int body);
 /// All spheres to where their clusters are.
 void place_spheres(const Bodies& bodies, Spheres& spheres);
 
+/// Where the clusters stood when the near lists were built.
+struct Poses {
+  std::vector<double> x, y, z, qw, qx, qy, qz;  // [n]
+  template <class A>
+  void archive(A& ar) { ar(x, y, z, qw, qx, qy, qz); }
+};
+Poses poses_of(const Bodies& bodies);
+
+/// True when some point of some cluster may have moved farther than `limit` since. Conservative: a cluster's points move at
+/// most |dx| + reach * angle.
+bool moved_beyond(double limit, const Poses& since, const Bodies& bodies);
+
 }  // namespace regolab::dem

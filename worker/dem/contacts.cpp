@@ -2,34 +2,10 @@
 
 #include <cmath>
 
+#include "worker/dem/hot.h"
+
 namespace regolab::dem {
 namespace {
-
-/// What a gather writes for one contact; the arrays are filled from it in one place.
-struct Found {
-  std::int32_t slot, body_a, body_b;
-  double nx, ny, nz, overlap;
-  double ax, ay, az, bx, by, bz;
-  double vx, vy, vz;
-  double friction, root_mass;
-};
-
-void put(Contacts& c, std::size_t k, const Found& f, const History& history, std::int64_t step) {
-  c.slot[k] = f.slot;
-  c.body_a[k] = f.body_a;
-  c.body_b[k] = f.body_b;
-  c.nx[k] = f.nx, c.ny[k] = f.ny, c.nz[k] = f.nz, c.overlap[k] = f.overlap;
-  c.ax[k] = f.ax, c.ay[k] = f.ay, c.az[k] = f.az;
-  c.bx[k] = f.bx, c.by[k] = f.by, c.bz[k] = f.bz;
-  c.vx[k] = f.vx, c.vy[k] = f.vy, c.vz[k] = f.vz;
-  c.friction[k] = f.friction;
-  c.root_mass[k] = f.root_mass;
-  const auto h = static_cast<std::size_t>(f.slot);
-  const double carried = history.touched[h] + 1 >= step ? 1.0 : 0.0;
-  c.sx[k] = carried * history.sx[h];
-  c.sy[k] = carried * history.sy[h];
-  c.sz[k] = carried * history.sz[h];
-}
 
 /// Velocity of the point at `arm` from the centre of mass of body i.
 Vec3 point_velocity(const Bodies& b, std::size_t i, double ax, double ay, double az) {
@@ -71,34 +47,75 @@ void cut_segments(std::size_t n, int threads, Contacts& contacts) {
   for (std::size_t t = 0; t < parts; ++t) contacts.segments[t] = {n * t / parts, n * (t + 1) / parts, 0};
 }
 
-void gather_pairs(const Bodies& bodies, const Spheres& s, const PairList& pairs, const LinearLaw& law, std::int64_t step,
-                  Contacts& contacts, Contacts::Segment& segment) {
-  std::size_t k = segment.begin;
-  for (std::size_t p = segment.begin; p < segment.end; ++p) {
+namespace {
+
+/// Which listed pairs touch: their list indices, in order, to the front of the segment.
+std::size_t find_touching(const Spheres& s, const PairList& pairs, std::size_t begin, std::size_t end, std::int32_t* slot) {
+  std::size_t found = 0;
+  for (std::size_t p = begin; p < end; ++p) {
     const auto a = static_cast<std::size_t>(pairs.a[p]), b = static_cast<std::size_t>(pairs.b[p]);
     const double dx = s.x[a] - s.x[b], dy = s.y[a] - s.y[b], dz = s.z[a] - s.z[b];
-    const double distance2 = dx * dx + dy * dy + dz * dz;
-    const double reach = pairs.sum_of_radii[p];
-    if (!(distance2 < reach * reach) || distance2 == 0.0) continue;
-    const double distance = std::sqrt(distance2);
-    const double nx = dx / distance, ny = dy / distance, nz = dz / distance;
-    const double overlap = reach - distance;
-    const auto i = static_cast<std::size_t>(s.body[a]), j = static_cast<std::size_t>(s.body[b]);
-    const double to_a = s.radius[a] - 0.5 * overlap, to_b = s.radius[b] - 0.5 * overlap;  // contact point: middle of the overlap
-    const double ax = s.x[a] - bodies.x[i] - to_a * nx, ay = s.y[a] - bodies.y[i] - to_a * ny, az = s.z[a] - bodies.z[i] - to_a * nz;
-    const double bx = s.x[b] - bodies.x[j] + to_b * nx, by = s.y[b] - bodies.y[j] + to_b * ny, bz = s.z[b] - bodies.z[j] + to_b * nz;
-    const Vec3 va = point_velocity(bodies, i, ax, ay, az), vb = point_velocity(bodies, j, bx, by, bz);
-    const double root_mass = law.damping_is_ratio ? 1.0 / std::sqrt(bodies.inverse_mass[i] + bodies.inverse_mass[j]) : 1.0;
-    put(contacts, k++,
-        {static_cast<std::int32_t>(p), s.body[a], s.body[b], nx, ny, nz, overlap, ax, ay, az, bx, by, bz, va[0] - vb[0],
-         va[1] - vb[1], va[2] - vb[2], law.friction, root_mass},
-        pairs.history, step);
+    const double distance2 = dx * dx + dy * dy + dz * dz, reach = pairs.sum_of_radii[p];
+    slot[found] = static_cast<std::int32_t>(p);
+    found += distance2 < reach * reach && distance2 > 0.0;  // no branch: which pairs touch is hard to foresee
   }
-  segment.count = k - segment.begin;
+  return found;
+}
+
+/// Springs of contacts that touched the step before; others start relaxed.
+void take_history(const History& history, std::int64_t step, Contacts& c, std::size_t begin, std::size_t end) {
+  for (std::size_t k = begin; k < end; ++k) {
+    const auto h = static_cast<std::size_t>(c.slot[k]);
+    const double carried = history.touched[h] + 1 >= step ? 1.0 : 0.0;
+    c.sx[k] = carried * history.sx[h];
+    c.sy[k] = carried * history.sy[h];
+    c.sz[k] = carried * history.sz[h];
+  }
+}
+
+}  // namespace
+
+REGOLAB_HOT void gather_pairs(const Bodies& bodies, const Spheres& spheres, const PairList& pairs, const LinearLaw& law,
+                              std::int64_t step, Contacts& c, Contacts::Segment& segment) {
+  std::int32_t* slot = c.slot.data();
+  segment.count = find_touching(spheres, pairs, segment.begin, segment.end, slot + segment.begin);
+  const std::size_t end = segment.begin + segment.count;
+  const std::int32_t *pair_a = pairs.a.data(), *pair_b = pairs.b.data(), *body = spheres.body.data();
+  const double *x = spheres.x.data(), *y = spheres.y.data(), *z = spheres.z.data(), *radius = spheres.radius.data();
+  const double *bx = bodies.x.data(), *by = bodies.y.data(), *bz = bodies.z.data();
+  const double *vx = bodies.vx.data(), *vy = bodies.vy.data(), *vz = bodies.vz.data();
+  const double *wx = bodies.wx.data(), *wy = bodies.wy.data(), *wz = bodies.wz.data();
+  std::int32_t *body_a = c.body_a.data(), *body_b = c.body_b.data();
+  double *nx = c.nx.data(), *ny = c.ny.data(), *nz = c.nz.data(), *overlap = c.overlap.data();
+  double *ax = c.ax.data(), *ay = c.ay.data(), *az = c.az.data(), *cx = c.bx.data(), *cy = c.by.data(), *cz = c.bz.data();
+  double *ux = c.vx.data(), *uy = c.vy.data(), *uz = c.vz.data();
+#pragma GCC ivdep
+  for (std::size_t k = segment.begin; k < end; ++k) {
+    const std::int32_t a = pair_a[slot[k]], b = pair_b[slot[k]], i = body[a], j = body[b];
+    const double dx = x[a] - x[b], dy = y[a] - y[b], dz = z[a] - z[b];
+    const double distance = std::sqrt(dx * dx + dy * dy + dz * dz);
+    const double n0 = dx / distance, n1 = dy / distance, n2 = dz / distance;
+    const double depth = radius[a] + radius[b] - distance;
+    const double to_a = radius[a] - 0.5 * depth, to_b = radius[b] - 0.5 * depth;  // contact point: middle of the overlap
+    const double a0 = x[a] - bx[i] - to_a * n0, a1 = y[a] - by[i] - to_a * n1, a2 = z[a] - bz[i] - to_a * n2;
+    const double b0 = x[b] - bx[j] + to_b * n0, b1 = y[b] - by[j] + to_b * n1, b2 = z[b] - bz[j] + to_b * n2;
+    body_a[k] = i, body_b[k] = j;
+    nx[k] = n0, ny[k] = n1, nz[k] = n2, overlap[k] = depth;
+    ax[k] = a0, ay[k] = a1, az[k] = a2, cx[k] = b0, cy[k] = b1, cz[k] = b2;
+    ux[k] = vx[i] + (wy[i] * a2 - wz[i] * a1) - (vx[j] + (wy[j] * b2 - wz[j] * b1));
+    uy[k] = vy[i] + (wz[i] * a0 - wx[i] * a2) - (vy[j] + (wz[j] * b0 - wx[j] * b2));
+    uz[k] = vz[i] + (wx[i] * a1 - wy[i] * a0) - (vz[j] + (wx[j] * b1 - wy[j] * b0));
+  }
+  for (std::size_t k = segment.begin; k < end; ++k) {
+    const auto i = static_cast<std::size_t>(body_a[k]), j = static_cast<std::size_t>(body_b[k]);
+    c.friction[k] = law.friction;
+    c.root_mass[k] = law.damping_is_ratio ? 1.0 / std::sqrt(bodies.inverse_mass[i] + bodies.inverse_mass[j]) : 1.0;
+  }
+  take_history(pairs.history, step, c, segment.begin, end);
 }
 
 void gather_walls(const Bodies& bodies, const Spheres& s, const Walls& walls, const LinearLaw& law, std::int64_t step,
-                  Contacts& contacts, Contacts::Segment& segment) {
+                  Contacts& c, Contacts::Segment& segment) {
   std::size_t k = segment.begin;
   for (std::size_t p = segment.begin; p < segment.end; ++p) {
     const auto a = static_cast<std::size_t>(walls.sphere[p]);
@@ -107,19 +124,25 @@ void gather_walls(const Bodies& bodies, const Spheres& s, const Walls& walls, co
     if (!(g.overlap > 0.0)) continue;
     const auto i = static_cast<std::size_t>(s.body[a]);
     const double to_a = s.radius[a] - g.overlap;  // contact point: on the plane
-    const double ax = s.x[a] - bodies.x[i] - to_a * g.nx, ay = s.y[a] - bodies.y[i] - to_a * g.ny, az = s.z[a] - bodies.z[i] - to_a * g.nz;
-    Vec3 v = point_velocity(bodies, i, ax, ay, az);
+    c.slot[k] = static_cast<std::int32_t>(p);
+    c.body_a[k] = s.body[a], c.body_b[k] = id;
+    c.nx[k] = g.nx, c.ny[k] = g.ny, c.nz[k] = g.nz, c.overlap[k] = g.overlap;
+    c.ax[k] = s.x[a] - bodies.x[i] - to_a * g.nx;
+    c.ay[k] = s.y[a] - bodies.y[i] - to_a * g.ny;
+    c.az[k] = s.z[a] - bodies.z[i] - to_a * g.nz;
+    Vec3 v = point_velocity(bodies, i, c.ax[k], c.ay[k], c.az[k]);
     v[static_cast<std::size_t>(axis_of(id))] -= walls[id].velocity;
-    const double root_mass = law.damping_is_ratio ? std::sqrt(bodies.mass[i]) : 1.0;
-    put(contacts, k++,
-        {static_cast<std::int32_t>(p), s.body[a], id, g.nx, g.ny, g.nz, g.overlap, ax, ay, az, 0, 0, 0, v[0], v[1], v[2],
-         walls[id].friction, root_mass},
-        walls.history, step);
+    c.vx[k] = v[0], c.vy[k] = v[1], c.vz[k] = v[2];
+    c.friction[k] = walls[id].friction;
+    c.root_mass[k] = law.damping_is_ratio ? std::sqrt(bodies.mass[i]) : 1.0;
+    ++k;
   }
   segment.count = k - segment.begin;
+  take_history(walls.history, step, c, segment.begin, k);
 }
 
-void apply_law(const LinearLaw& law, double dt, Contacts& c, const Contacts::Segment& segment) {
+REGOLAB_HOT void apply_law(const LinearLaw& shared_law, double dt, Contacts& c, const Contacts::Segment& segment) {
+  const LinearLaw law = shared_law;  // a copy: stores below cannot alias it
   const std::size_t begin = segment.begin, end = segment.begin + segment.count;
   const double *nx = c.nx.data(), *ny = c.ny.data(), *nz = c.nz.data(), *overlap = c.overlap.data();
   const double *vx = c.vx.data(), *vy = c.vy.data(), *vz = c.vz.data();

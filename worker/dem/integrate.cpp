@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "worker/dem/hot.h"
+
 namespace regolab::dem {
 namespace {
 
@@ -10,20 +12,20 @@ struct Quaternion {
   double w, x, y, z;
 };
 
-Quaternion normalised(const Quaternion& q) {
+REGOLAB_INLINE Quaternion normalised(const Quaternion& q) {
   const double scale = 1.0 / std::sqrt(q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z);
   return {q.w * scale, q.x * scale, q.y * scale, q.z * scale};
 }
 
 /// q + h (w q) / 2, with w the angular velocity in space.
-Quaternion turned(const Quaternion& q, double wx, double wy, double wz, double h) {
+REGOLAB_INLINE Quaternion turned(const Quaternion& q, double wx, double wy, double wz, double h) {
   const double k = 0.5 * h;
   return normalised({q.w + k * (-wx * q.x - wy * q.y - wz * q.z), q.x + k * (wx * q.w + wy * q.z - wz * q.y),
                      q.y + k * (wy * q.w + wz * q.x - wx * q.z), q.z + k * (wz * q.w + wx * q.y - wy * q.x)});
 }
 
 /// w = R I^-1 R^T L, for the body's principal inverse inertia (jx, jy, jz).
-inline void angular_velocity(const Quaternion& q, double jx, double jy, double jz, double lx, double ly, double lz, double& wx,
+REGOLAB_INLINE void angular_velocity(const Quaternion& q, double jx, double jy, double jz, double lx, double ly, double lz, double& wx,
                              double& wy, double& wz) {
   const double a = 1 - 2 * (q.y * q.y + q.z * q.z), b = 2 * (q.x * q.y - q.w * q.z), c = 2 * (q.x * q.z + q.w * q.y);
   const double d = 2 * (q.x * q.y + q.w * q.z), e = 1 - 2 * (q.x * q.x + q.z * q.z), f = 2 * (q.y * q.z - q.w * q.x);
@@ -34,7 +36,7 @@ inline void angular_velocity(const Quaternion& q, double jx, double jy, double j
   wz = g * px + h * py + i * pz;
 }
 
-void translate(double gravity, double keep, double dt, Bodies& bodies) {
+REGOLAB_HOT void translate(double gravity, double keep, double dt, Bodies& bodies) {
   const std::size_t n = bodies.x.size();
   const double* inverse_mass = bodies.inverse_mass.data();
   double *x = bodies.x.data(), *y = bodies.y.data(), *z = bodies.z.data();
@@ -52,7 +54,7 @@ void translate(double gravity, double keep, double dt, Bodies& bodies) {
   }
 }
 
-void turn(double keep, double dt, Bodies& bodies) {
+REGOLAB_HOT void turn(double keep, double dt, Bodies& bodies) {
   const std::size_t n = bodies.x.size();
   const double *jx = bodies.inverse_ix.data(), *jy = bodies.inverse_iy.data(), *jz = bodies.inverse_iz.data();
   const double *tx = bodies.tx.data(), *ty = bodies.ty.data(), *tz = bodies.tz.data();

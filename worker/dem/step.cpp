@@ -7,15 +7,10 @@
 namespace regolab::dem {
 namespace {
 
-/// True once a sphere has moved half the skin since the lists were built, or a wall has.
+/// True once a grain may have moved half the skin since the lists were built, or a wall has.
 bool lists_outdated(const World& w) {
-  if (w.lists_stale) return true;
-  const double half = 0.5 * w.skin, limit = half * half;
-  const Spheres& s = w.spheres;
-  for (std::size_t i = 0; i < s.x.size(); ++i) {
-    const double dx = s.x[i] - w.x_at_build[i], dy = s.y[i] - w.y_at_build[i], dz = s.z[i] - w.z_at_build[i];
-    if (dx * dx + dy * dy + dz * dz > limit) return true;
-  }
+  const double half = 0.5 * w.skin;
+  if (w.lists_stale || moved_beyond(half, w.at_build, w.bodies)) return true;
   for (int id = 0; id < kWalls; ++id) {
     if (std::abs(w.walls[id].position - w.walls.position_at_build[static_cast<std::size_t>(id)]) > half) return true;
   }
@@ -51,9 +46,7 @@ void contact_forces(World& w) {
 void rebuild_lists(World& w) {
   build_pairs(w.bodies, w.spheres, w.skin, w.step, w.grid, w.pairs);
   build_wall_list(w.bodies, w.spheres, w.skin, w.step, w.walls);
-  w.x_at_build = w.spheres.x;
-  w.y_at_build = w.spheres.y;
-  w.z_at_build = w.spheres.z;
+  w.at_build = poses_of(w.bodies);
   w.lists_stale = false;
   ++w.list_builds;
 }

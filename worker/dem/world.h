@@ -24,7 +24,7 @@ struct World {
   double wall_work = 0;      ///< done by moving walls on the grains so far [J]
 
   PairList pairs;
-  std::vector<double> x_at_build, y_at_build, z_at_build;  // [m] sphere positions when the lists were built
+  Poses at_build;            ///< where the clusters were when the lists were built
   bool lists_stale = true;
 
   // Derived each step; not saved.
@@ -35,8 +35,7 @@ struct World {
 
   template <class A>
   void archive(A& ar) {
-    ar(bodies, spheres, walls, law, gravity, dt, drag, skin, step, time, wall_work, pairs, x_at_build, y_at_build, z_at_build,
-       lists_stale);
+    ar(bodies, spheres, walls, law, gravity, dt, drag, skin, step, time, wall_work, pairs, at_build, lists_stale);
   }
 };
 

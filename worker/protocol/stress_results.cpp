@@ -55,19 +55,22 @@ double secant_modulus(const std::vector<StressSample>& samples) {
 void add_stress_results(const std::vector<StressSample>& samples, double sigma3, double end_strain, double void_ratio0,
                         StageResult& out) {
   const std::string at = "_at_sigma3_" + kilopascal(sigma3);
-  const double last = end_strain - 0.05;
+  const double last = end_strain - std::min(0.05, 0.25 * end_strain);  // the last quarter, at most 0.05
   const auto sigma1 = [](const StressSample& s) { return s.sigma1(); };
   const Mean critical = mean_between(samples, last, end_strain, sigma1);
-  const Mean middle = mean_between(samples, 0.10, 0.20, sigma1);
   const Mean lateral = mean_between(samples, last, end_strain, [](const StressSample& s) { return s.sigma3(); });
   const auto peak = std::max_element(samples.begin(), samples.end(), [](const auto& a, const auto& b) { return a.sigma1() < b.sigma1(); });
   out.measurements = {
-      {"sigma1" + at, critical.value, "Pa", critical.standard_error, "mean axial stress over the last 0.05 of axial strain"},
-      {"sigma1_0.10_0.20" + at, middle.value, "Pa", middle.standard_error, "mean axial stress over axial strains 0.10 to 0.20"},
+      {"sigma1" + at, critical.value, "Pa", critical.standard_error, "mean axial stress over the last quarter of the axial strain, at most its last 0.05"},
       {"sigma1_peak" + at, peak->sigma1(), "Pa", {}, "largest axial stress of the curve"},
-      {"sigma3_measured" + at, lateral.value, "Pa", lateral.standard_error, "mean lateral stress over the last 0.05 of axial strain"},
+      {"sigma3_measured" + at, lateral.value, "Pa", lateral.standard_error, "mean lateral stress over the same strains"},
       {"void_ratio_compressed_" + kilopascal(sigma3), void_ratio0, "1", {}, "between the plates, after the isotropic stage"},
   };
+  if (end_strain >= 0.2) {
+    const Mean middle = mean_between(samples, 0.10, 0.20, sigma1);
+    out.measurements.push_back(
+        {"sigma1_0.10_0.20" + at, middle.value, "Pa", middle.standard_error, "mean axial stress over axial strains 0.10 to 0.20"});
+  }
   if (const double modulus = secant_modulus(samples); modulus > 0) {
     out.measurements.push_back({"E50" + at, modulus, "Pa", {}, "secant modulus at half the peak deviator stress"});
   }

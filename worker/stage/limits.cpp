@@ -41,7 +41,7 @@ std::string breach_of(const StageSpec& spec) {
       {"mass_floor", n.mass_floor, 0, 1},
       {"step_fraction", n.step_fraction, 1e-4, 1},
       {"inertial_number", n.inertial_number, 1e-6, 1},
-      {"axial_strain", n.axial_strain, 0.06, 0.6},
+      {"axial_strain", n.axial_strain, 0.02, 0.6},
   };
   for (const Limit& limit : limits) {
     if (!(limit.value >= limit.low && limit.value <= limit.high)) return outside(limit);

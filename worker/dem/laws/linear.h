@@ -2,6 +2,8 @@
 #pragma once
 #include <cmath>
 
+#include "worker/dem/hot.h"
+
 namespace regolab::dem {
 
 /// SI. `root_mass` of a contact is 1 when eta is absolute; sqrt(m_eff) when eta is a ratio, and then the damping constants
@@ -28,9 +30,11 @@ struct ContactPoint {
   double fx, fy, fz;          ///< out
 };
 
+inline constexpr double kTiny = 1e-300;  ///< keeps a division finite without a branch
+
 /// Never pulls. The spring turns with the tangent plane and keeps its length; while sliding the whole tangential force is at
 /// the cap and the spring is cut back to it (the dashpot is off). Selects, no branches: loops over contacts vectorise.
-inline void linear_contact(const LinearLaw& law, double friction, double root_mass, double dt, ContactPoint& c) noexcept {
+REGOLAB_INLINE void linear_contact(const LinearLaw& law, double friction, double root_mass, double dt, ContactPoint& c) noexcept {
   const double vn = c.vx * c.nx + c.vy * c.ny + c.vz * c.nz;
   const double pushed = law.normal_stiffness * c.overlap - law.normal_damping * root_mass * vn;
   const double fn = pushed > 0.0 ? pushed : 0.0;
@@ -40,7 +44,7 @@ inline void linear_contact(const LinearLaw& law, double friction, double root_ma
   const double px = c.sx - along * c.nx, py = c.sy - along * c.ny, pz = c.sz - along * c.nz;
   const double before = c.sx * c.sx + c.sy * c.sy + c.sz * c.sz;
   const double after = px * px + py * py + pz * pz;
-  const double keep = after > 0.0 ? std::sqrt(before / after) : 0.0;
+  const double keep = std::sqrt(before / (after > kTiny ? after : kTiny));
   const double sx = px * keep + ux * dt, sy = py * keep + uy * dt, sz = pz * keep + uz * dt;
 
   const double damping = law.tangential_damping * root_mass;
@@ -50,7 +54,8 @@ inline void linear_contact(const LinearLaw& law, double friction, double root_ma
   const double size2 = tx * tx + ty * ty + tz * tz;
   const double cap = friction * fn;
   const bool slides = size2 > cap * cap;
-  const double cut = slides ? cap / std::sqrt(size2) : 1.0;
+  const double to_cap = cap / std::sqrt(size2 > kTiny ? size2 : kTiny);
+  const double cut = slides ? to_cap : 1.0;
   const double back = -1.0 / law.tangential_stiffness;
   c.sx = slides ? back * cut * tx : sx;
   c.sy = slides ? back * cut * ty : sy;

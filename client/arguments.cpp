@@ -1,0 +1,271 @@
+#include "client/arguments.h"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <cstdlib>
+
+#include "client/address.h"
+#include "input/suggestion.h"
+
+namespace regolab::client {
+namespace {
+
+constexpr const char* kExamples =
+    "Orthogonal-array studies of lunar-soil simulants with the discrete element method.\n\n"
+    "Examples:\n"
+    "  regolab run client/examples/article-l32.yaml --profile quick   the article's study, from design to range analysis\n"
+    "  regolab run study.yaml --dry-run                               what it would do, and what is stored already\n"
+    "  regolab range last --response repose_angle                     range analysis and ANOVA of one response\n"
+    "  regolab results last --csv -o study.csv                        every number, for R, pandas or a spreadsheet\n"
+    "  regolab submit study.yaml --server lab-host:7070               the same against a scheduler that runs elsewhere\n"
+    "Data goes to stdout, messages to stderr. Exit codes: 0 done, 1 internal, 2 usage, 3 invalid input, 4 no scheduler,\n"
+    "5 some trials have no numbers, 6 timeout, 130 interrupted.\n";
+
+/// The CLI11 tree and the record its options fill. Neither copied nor moved: options point into it.
+struct Tree {
+  CLI::App app{kExamples, "regolab"};
+  Arguments arguments;
+  std::string colour = "auto";
+  bool version = false;
+  CLI::Option* database = nullptr;
+  CLI::Option* server = nullptr;
+
+  Tree() {
+    app.require_subcommand(0, 1);
+    app.fallthrough();
+    app.set_help_flag("-h,--help", "this text; `regolab VERB --help` for one verb");
+    server =
+        app.add_option("--server", arguments.server, "a running scheduler, HOST:PORT or unix:/path (or set REGOLAB_SERVER)")
+            ->type_name("ADDR");
+    database = app.add_option("--db", arguments.database, "database to work on without a running scheduler [./regolab.db]")
+                   ->type_name("FILE");
+    app.add_flag("--json", arguments.json, "one JSON document on stdout instead of text");
+    app.add_option("--color", colour, "auto, always or never")
+        ->check(CLI::IsMember({"auto", "always", "never"}))
+        ->type_name("WHEN");
+    app.add_flag("--version", version, "what `regolab version` says");
+    add_study_verbs();
+    add_experiment_verbs();
+    add_article_verbs();
+  }
+
+  CLI::App* verb(CLI::App& parent, const std::string& name, const std::string& what) {
+    CLI::App* sub = parent.add_subcommand(name, what);
+    sub->fallthrough();
+    const std::string full = &parent == &app ? name : parent.get_name() + " " + name;
+    sub->final_callback([this, full] { arguments.verb = full; });
+    return sub;
+  }
+
+  void design_of(CLI::App* sub) {
+    sub->add_option("DESIGN", arguments.design, "design.yaml: factors, fixed parameters, array, seeds, tests")->required();
+    sub->add_option("--profile", arguments.profile, "accuracy, louder than the file: quick, standard or article")
+        ->type_name("NAME");
+    sub->add_option("--seeds", arguments.seeds, "seeds per row, louder than the file")
+        ->check(CLI::Range(1, 10000))
+        ->type_name("K");
+  }
+
+  void workers_of(CLI::App* sub) {
+    sub->add_option("--workers", arguments.workers, "worker processes, without --server [all cores]")
+        ->check(CLI::Range(1, 1024))
+        ->type_name("N");
+    sub->add_option("--timeout", arguments.timeout_s, "leave with exit code 6 after so many seconds; nothing is lost")
+        ->check(CLI::PositiveNumber)
+        ->type_name("S");
+    sub->add_flag("-v,--verbose", arguments.verbose, "a line for every finished stage");
+  }
+
+  void experiment_of(CLI::App* sub) {
+    sub->add_option("ID", arguments.experiment, "experiment: its id, the start of it, its name, or `last` [last]");
+  }
+
+  void output_of(CLI::App* sub) {
+    sub->add_option("-o,--output", arguments.output, "write there instead of stdout")->type_name("FILE");
+  }
+
+  void add_study_verbs() {
+    auto* run = verb(app, "run", "run a study to its range analysis; running it again goes on where it stopped");
+    design_of(run);
+    workers_of(run);
+    run->add_flag("--dry-run", arguments.dry_run, "check the design and show what would be done");
+    auto* submit = verb(app, "submit", "hand in a study and leave");
+    design_of(submit);
+    auto* watch = verb(app, "watch", "follow an experiment until it ends; Ctrl-C only stops watching");
+    experiment_of(watch);
+    workers_of(watch);
+    watch->add_option("--from-seq", arguments.from_seq, "first event wanted")->type_name("SEQ");
+    watch->add_flag("--json-lines", arguments.json_lines, "every event as a line of JSON");
+    auto* design = app.add_subcommand("design", "look at a design before it runs");
+    design->require_subcommand(1);
+    design->fallthrough();
+    design_of(verb(*design, "show", "check a design; array, strength, balance, error degrees of freedom, jobs"));
+    design_of(verb(app, "validate", "the same as `design show`"));
+  }
+
+  void add_experiment_verbs() {
+    experiment_of(verb(app, "status", "all experiments, or one in detail"));
+    experiment_of(verb(app, "cancel", "stop an experiment; what is done stays"));
+    experiment_of(verb(app, "retry", "failed, cancelled and quarantined jobs once more"));
+    auto* results = verb(app, "results", "one line per row and seed");
+    experiment_of(results);
+    results->add_flag("--csv", arguments.csv, "every response with every digit, as CSV");
+    results->add_flag("--all", arguments.all, "secondary responses in the table too");
+    output_of(results);
+    auto* range = verb(app, "range", "range analysis, ANOVA and fragility");
+    experiment_of(range);
+    range->add_option("--response", arguments.response, "one response, or `all` [the article's]")->type_name("NAME");
+    auto* export_verb = verb(app, "export", "every stage with its specification, numbers and curves, as files");
+    experiment_of(export_verb);
+    export_verb->add_option("-o,--output", arguments.output, "a folder that does not exist yet")
+        ->type_name("DIR")
+        ->required();
+  }
+
+  void add_article_verbs() {
+    auto* article = app.add_subcommand("article", "the article's own tables");
+    article->require_subcommand(1);
+    article->fallthrough();
+    auto* check = verb(*article, "check", "recompute Tables 4, 6, 8 and 10 from 3, 5, 7 and 9");
+    check->add_flag("--all", arguments.all, "every entry, not only those that disagree");
+    experiment_of(verb(*article, "compare", "our results beside the article's"));
+    verb(app, "version", "versions of program and physics");
+    auto* completion = verb(app, "completion", "a completion script for bash: source <(regolab completion)");
+    completion->add_option("SHELL", arguments.shell, "bash")->check(CLI::IsMember({"bash"}));
+  }
+};
+
+std::vector<std::string> names_of(const CLI::App& app) {
+  std::vector<std::string> names;
+  for (const CLI::App* sub : app.get_subcommands([](const CLI::App*) { return true; })) names.push_back(sub->get_name());
+  return names;
+}
+
+std::vector<std::string> options_of(const CLI::App& app) {
+  std::vector<std::string> names;
+  for (const CLI::Option* option : app.get_options()) {
+    for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+  }
+  return names;
+}
+
+/// Does the option take the next word as its value?
+bool takes_value(const CLI::App& app, const std::string& word) {
+  const CLI::Option* option = app.get_option_no_throw(word);
+  return option != nullptr && option->get_items_expected_max() > 0 && word.find('=') == std::string::npos;
+}
+
+/// A word that no verb or option is, with the nearest one that is; empty when every word is known.
+std::string unknown_word(const Tree& tree, const std::vector<std::string>& words) {
+  const CLI::App* at = &tree.app;
+  std::string help = "regolab --help";
+  const auto remedy = [&](const std::string& typed, const std::vector<std::string>& known) {
+    const std::string_view near = closest(typed, std::vector<std::string_view>(known.begin(), known.end()));
+    return near.empty() ? fmt::format("see `{}`", help) : fmt::format("did you mean `{}`?", near);
+  };
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    const std::string& word = words[i];
+    if (word.starts_with("--")) {
+      const std::string name = word.substr(0, word.find('='));
+      if (at->get_option_no_throw(name) == nullptr && tree.app.get_option_no_throw(name) == nullptr) {
+        auto known = options_of(*at);
+        for (auto& more : options_of(tree.app)) known.push_back(more);
+        return fmt::format("unknown option `{}` (`{}` has no such option) {}", name, at->get_name(), remedy(name, known));
+      }
+      if (takes_value(*at, word) || takes_value(tree.app, word)) ++i;
+      continue;
+    }
+    const auto verbs = names_of(*at);
+    if (verbs.empty()) continue;
+    const CLI::App* next = nullptr;
+    for (const CLI::App* sub : at->get_subcommands([](const CLI::App*) { return true; })) {
+      if (sub->get_name() == word) next = sub;
+    }
+    if (next == nullptr) {
+      const std::string what = at == &tree.app ? "verb" : at->get_name() + " verb";
+      return fmt::format("unknown {} `{}` (known: {}) {}", what, word, fmt::join(verbs, ", "), remedy(word, verbs));
+    }
+    at = next;
+    help = at == &tree.app ? help : "regolab " + at->get_name() + " --help";
+  }
+  return {};
+}
+
+Parsed mistake(std::string text) {
+  Parsed parsed;
+  parsed.leave = true;
+  parsed.outcome = failed(Exit::kUsage, std::move(text));
+  return parsed;
+}
+
+/// CLI11's own words for a bad value, in our order: problem (why) remedy.
+std::string worded(const CLI::ParseError& error, const std::string& verb) {
+  std::string what = error.what();
+  for (char& c : what) {
+    if (c == '\n') c = ' ';
+  }
+  return fmt::format("{} (the command line) see `regolab {}--help`", what, verb.empty() ? "" : verb + " ");
+}
+
+}  // namespace
+
+Parsed parse(const std::vector<std::string>& words) {
+  Tree tree;
+  Parsed parsed;
+  try {
+    tree.app.parse(std::vector<std::string>(words.rbegin(), words.rend()));
+  } catch (const CLI::CallForHelp&) {
+    parsed.leave = true;
+    parsed.text = tree.app.help();
+    return parsed;
+  } catch (const CLI::ParseError& error) {
+    const std::string unknown = unknown_word(tree, words);
+    const auto subs = tree.app.get_subcommands();
+    return mistake(unknown.empty() ? worded(error, subs.empty() ? "" : subs.front()->get_name()) : unknown);
+  }
+  Arguments& arguments = tree.arguments;
+  if (tree.version) arguments.verb = "version";
+  if (arguments.verb.empty()) {
+    parsed = mistake("");
+    parsed.text = tree.app.help();
+    return parsed;
+  }
+  if (tree.server->count() > 0 && tree.database->count() > 0) {
+    return mistake("--server and --db together (a running scheduler has a database of its own) leave one of them out");
+  }
+  const char* from_environment = std::getenv("REGOLAB_SERVER");
+  if (arguments.server.empty() && tree.database->count() == 0 && from_environment != nullptr)
+    arguments.server = from_environment;
+  if (!arguments.server.empty()) {
+    if (auto address = check_address(arguments.server); !address.ok()) return mistake(address.text);
+    if (arguments.workers > 0)
+      return mistake("--workers with --server (workers are started on the machines of that scheduler) leave it out");
+  }
+  if (arguments.csv && arguments.json)
+    return mistake("--csv and --json together (one form at a time) leave one of them out");
+  if (arguments.database.empty()) return mistake("--db is empty (a file name is wanted) write --db FILE");
+  arguments.colour = tree.colour == "always"  ? ColourChoice::kAlways
+                     : tree.colour == "never" ? ColourChoice::kNever
+                                              : ColourChoice::kAuto;
+  for (const std::string& word : words) arguments.original_line += " " + word;
+  parsed.arguments = arguments;
+  return parsed;
+}
+
+std::vector<VerbOptions> known_words() {
+  const Tree tree;
+  std::vector<VerbOptions> words{{"", options_of(tree.app)}};
+  for (const CLI::App* sub : tree.app.get_subcommands([](const CLI::App*) { return true; })) {
+    words.push_back({sub->get_name(), options_of(*sub)});
+    for (const std::string& inner : names_of(*sub)) words.back().options.push_back(inner);
+  }
+  return words;
+}
+
+std::string where_flags(const Arguments& arguments) {
+  if (!arguments.server.empty()) return " --server " + arguments.server;
+  return arguments.database == Arguments{}.database ? "" : " --db " + arguments.database;
+}
+
+}  // namespace regolab::client

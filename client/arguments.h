@@ -1,0 +1,62 @@
+/// The command line, read.
+#pragma once
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "client/console.h"
+#include "client/outcome.h"
+
+namespace regolab::client {
+
+/// One flat record for all verbs; a verb reads the fields its options fill.
+struct Arguments {
+  std::string verb;  ///< "run", "article check", ...
+
+  std::string server;  ///< empty = embedded mode
+  std::string database = "regolab.db";
+  bool json = false;
+  ColourChoice colour = ColourChoice::kAuto;
+
+  std::string design;    ///< DESIGN.yaml
+  std::string profile;   ///< empty = the design's
+  unsigned seeds = 0;    ///< 0 = the design's
+  unsigned workers = 0;  ///< 0 = all cores
+  bool dry_run = false;
+
+  std::string experiment;  ///< id, unique start of one, name, "last" or empty
+  std::uint64_t from_seq = 0;
+  double timeout_s = 0;  ///< 0 = none
+  bool json_lines = false;
+  bool verbose = false;
+
+  bool csv = false;
+  std::string output;    ///< file or folder; empty = stdout
+  std::string response;  ///< empty = the primary ones
+  bool all = false;
+  std::string shell = "bash";
+
+  std::string original_line;  ///< the words after the verb, for "type this again"
+};
+
+/// What to do after reading: go on with `arguments`, or print `text` (help, version, a mistake) and leave with `outcome`.
+struct Parsed {
+  Arguments arguments;
+  bool leave = false;
+  Outcome outcome;   ///< its text goes to stderr
+  std::string text;  ///< goes to stdout
+};
+
+Parsed parse(const std::vector<std::string>& words);
+
+/// All verbs, and the long options of each ("" = those of every verb), from the same tree that parses.
+struct VerbOptions {
+  std::string verb;
+  std::vector<std::string> options;
+};
+std::vector<VerbOptions> known_words();
+
+/// " --db FILE" or " --server ADDR" as needed to type another verb about the same data.
+std::string where_flags(const Arguments& arguments);
+
+}  // namespace regolab::client

@@ -1,0 +1,13 @@
+/// Files that are whole or not there.
+#pragma once
+#include <filesystem>
+#include <string_view>
+
+#include "client/outcome.h"
+
+namespace regolab::client {
+
+/// Through a temporary file beside it, synced and renamed: a full disk or a kill leaves the old file, or none.
+Outcome write_file(const std::filesystem::path& path, std::string_view text);
+
+}  // namespace regolab::client

@@ -1,0 +1,56 @@
+/// The scheduler as seen by a verb: one method per call of lab.proto, errors as outcomes.
+#pragma once
+#include <chrono>
+#include <functional>
+#include <memory>
+#include <stop_token>
+#include <string>
+#include <vector>
+
+#include "client/outcome.h"
+#include "client/wire.h"
+
+namespace regolab::client {
+
+class Lab {
+ public:
+  struct Options {
+    std::string address;                      ///< "host:port" or "unix:/path"
+    std::vector<std::stop_token> stops = {};  ///< any of them cancels the call under way
+    std::chrono::seconds patience{0};         ///< how long a call tries again when the scheduler is away
+  };
+  explicit Lab(Options options);
+  ~Lab();
+
+  /// Is anybody there, and does it speak our protocol? The outcome says what was tried.
+  Outcome reach();
+
+  Outcome validate(const pb::SubmitRequest& request, pb::SubmitReply& reply);
+  Outcome submit(const pb::SubmitRequest& request, pb::SubmitReply& reply);
+  Outcome list(pb::ListReply& reply);
+  Outcome get(const std::string& experiment, pb::ExperimentStatus& reply);
+  Outcome cancel(const std::string& experiment, pb::ExperimentStatus& reply);
+  Outcome retry(const std::string& experiment, pb::ExperimentStatus& reply);
+  Outcome results(const std::string& experiment, pb::ResultsReply& reply);
+  Outcome range(const std::string& experiment, const std::string& response, pb::RangeReply& reply);
+  Outcome check_article(pb::CheckArticleReply& reply);
+  Outcome compare_article(const std::string& experiment, pb::CompareArticleReply& reply);
+
+  /// One stream, until it ends or is due for renewal; kUnreachable when it broke. `until` ends it with kTimeout.
+  Outcome watch(const std::string& experiment, std::uint64_t from_seq, std::chrono::steady_clock::time_point until,
+                const std::function<void(const pb::WatchEvent&)>& on_event);
+  /// Stops at the first outcome of `on_item` that is not ok, and returns it.
+  Outcome export_stages(const std::string& experiment, const std::function<Outcome(const pb::ExportItem&)>& on_item);
+
+  const std::string& address() const { return options_.address; }
+
+ private:
+  struct Stubs;
+  template <class Call>
+  Outcome unary(const Call& call);
+
+  Options options_;
+  std::unique_ptr<Stubs> stubs_;
+};
+
+}  // namespace regolab::client

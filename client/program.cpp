@@ -1,0 +1,86 @@
+#include "client/program.h"
+
+#include <fmt/format.h>
+
+#include <cerrno>
+#include <cstring>
+#include <iostream>
+#include <map>
+#include <nlohmann/json.hpp>
+
+#include "client/commands/commands.h"
+#include "client/interrupt.h"
+#include "client/json_view.h"
+
+namespace regolab::client {
+namespace {
+
+using Verb = Outcome (*)(const Arguments&, Console&);
+
+const std::map<std::string, Verb>& verbs() {
+  static const std::map<std::string, Verb> all{
+      {"run", run_study},
+      {"submit", submit},
+      {"watch", watch},
+      {"design show", show_design},
+      {"validate", show_design},
+      {"status", status},
+      {"cancel", cancel},
+      {"retry", retry},
+      {"results", results},
+      {"range", range},
+      {"export", export_stages},
+      {"article check", check_article},
+      {"article compare", compare_article},
+      {"version", version},
+      {"completion", completion},
+  };
+  return all;
+}
+
+void report(const Outcome& outcome, const Arguments& arguments, Console& console) {
+  if (outcome.ok()) return;
+  const std::string text = outcome.text.empty() && outcome.exit == Exit::kInterrupted ? "interrupted" : outcome.text;
+  if (text.empty()) return;
+  console.err << paint(console.colour_err, outcome.exit == Exit::kTrialsFailed ? Ink::kYellow : Ink::kRed, "regolab: ")
+              << text << std::endl;
+  if ((!arguments.json && !arguments.json_lines) || outcome.exit == Exit::kTrialsFailed)
+    return;  // its document is out already
+  Json error = document("error");
+  error["exit_code"] = static_cast<int>(outcome.exit);
+  error["message"] = text;
+  console.out << (arguments.json_lines ? line_of(error) : text_of(error));
+}
+
+/// A full disk behind stdout must not look like success; a reader that went away (`| head`) is none of our business.
+int flushed(std::ostream& out, int code) {
+  errno = 0;
+  out.flush();
+  if (out.good() || errno == EPIPE) return code;
+  std::cerr << fmt::format("regolab: cannot write the output ({}) make room or write elsewhere\n",
+                           std::strerror(errno != 0 ? errno : EIO));
+  return static_cast<int>(Exit::kInternal);
+}
+
+}  // namespace
+
+int run_verb(const Arguments& arguments, Console& console) {
+  const Outcome outcome = verbs().at(arguments.verb)(arguments, console);
+  report(outcome, arguments, console);
+  return static_cast<int>(outcome.exit);
+}
+
+int run_program(const std::vector<std::string>& words) {
+  watch_signals();
+  const Parsed parsed = parse(words);
+  if (parsed.leave) {
+    (parsed.outcome.ok() ? std::cout : std::cerr) << parsed.text;
+    if (!parsed.outcome.text.empty()) std::cerr << "regolab: " << parsed.outcome.text << "\n";
+    return flushed(std::cout, static_cast<int>(parsed.outcome.exit));
+  }
+  Console console = terminal_console(parsed.arguments.colour);
+  const int code = run_verb(parsed.arguments, console);
+  return flushed(console.out, code);
+}
+
+}  // namespace regolab::client

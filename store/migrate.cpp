@@ -1,0 +1,55 @@
+#include "store/migrate.h"
+
+#include "schema.h"
+
+namespace regolab {
+namespace {
+
+/// migrations[v] takes a file from version v to v + 1.
+constexpr const char* kMigrations[] = {kSchema};
+static_assert(std::size(kMigrations) == kSchemaVersion);
+
+Result<std::int64_t> number(Database& db, const char* pragma) {
+  Statement statement = db.prepare(pragma);
+  const std::int64_t value = statement.step() ? statement.integer(0) : -1;
+  if (value < 0) return statement.end("read its header").error();
+  return value;
+}
+
+}  // namespace
+
+Result<void> check_header(Database& db) {
+  const auto id = number(db, "PRAGMA application_id");
+  if (!id.ok()) return id.error();
+  const auto version = number(db, "PRAGMA user_version");
+  if (!version.ok()) return version.error();
+  const auto tables = number(db, "SELECT count(*) FROM sqlite_schema");
+  if (!tables.ok()) return tables.error();
+  if (*id != kApplicationId && (*id != 0 || *tables != 0)) {
+    return Error{Code::kFailedPrecondition,
+                 "the file is not a regolab database (application id " + std::to_string(*id) + "), give another file name"};
+  }
+  if (*version > kSchemaVersion) {
+    return Error{Code::kFailedPrecondition, "the database is of a newer regolab (schema " + std::to_string(*version) +
+                                                ", this program knows up to " + std::to_string(kSchemaVersion) +
+                                                "), update regolab or give another file name"};
+  }
+  return {};
+}
+
+Result<void> migrate(Database& db) {
+  Transaction transaction{db};
+  if (!transaction.begun().ok()) return transaction.begun();
+  const auto version = number(db, "PRAGMA user_version");
+  if (!version.ok()) return version.error();
+  if (*version == kSchemaVersion) return {};
+  for (auto v = *version; v < kSchemaVersion; ++v) {
+    if (auto step = db.run(kMigrations[v], "migrate"); !step.ok()) return step;
+  }
+  const std::string header =
+      "PRAGMA application_id=" + std::to_string(kApplicationId) + "; PRAGMA user_version=" + std::to_string(kSchemaVersion);
+  if (auto set = db.run(header.c_str(), "migrate"); !set.ok()) return set;
+  return transaction.commit();
+}
+
+}  // namespace regolab
