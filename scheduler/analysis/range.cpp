@@ -11,6 +11,7 @@ namespace regolab::analysis {
 namespace {
 
 constexpr double kSignificant = 0.05;
+constexpr double kTie = 1e-9;  // symmetric designs have runs of equal weight: the first is named, whatever the rounding
 
 /// The article's rule: an effect matters when its range is at least twice that of the others [article Sec. 3.1.1]. "The
 /// others" are read as their lower quartile, the background every factor has.
@@ -53,7 +54,8 @@ void leave_one_out(const AdditiveModel& model, const PointMeans& means, std::siz
     if (!without) continue;
     analysis.leave_one_out_range_min = std::min(analysis.leave_one_out_range_min, without->range);
     analysis.leave_one_out_range_max = std::max(analysis.leave_one_out_range_max, without->range);
-    if (leaning && std::abs(without->range - analysis.range) <= std::abs(changed.range - analysis.range)) continue;
+    const double most = leaning ? std::abs(changed.range - analysis.range) : -1;
+    if (std::abs(without->range - analysis.range) <= most * (1 + kTie)) continue;
     leaning = run;
     changed = *without;
   }

@@ -21,7 +21,8 @@ grpc::Status ArtifactsService::Upload(grpc::ServerContext*, grpc::ServerReader<v
       return to_grpc(invalid("upload refused (a piece of another file, or out of order), send it again"));
     }
     if (upload->size() + chunk.data().size() > kLargest) {
-      return to_grpc(invalid("upload refused (larger than " + std::to_string(kLargest >> 20) + " MiB), use fewer particles"));
+      return to_grpc(
+          invalid("upload refused (larger than " + std::to_string(kLargest >> 20) + " MiB), use fewer particles"));
     }
     if (auto added = upload->add(chunk.data()); !added.ok()) return to_grpc(added.error());
   } while (reader->Read(&chunk));

@@ -175,7 +175,7 @@ void Desk::run_batch(std::deque<Posted> batch) {
     if (p.answer) p.answer();
   }
   const bool periodic = turn.now - listened_at_ >= kListenEvery;
-  if (listener_ && (periodic || !touched_.empty())) {
+  if (listener_ && (periodic || !pending.empty() || !touched_.empty())) {
     if (periodic) listened_at_ = turn.now;
     listener_(turn, touched_, periodic);
   }
@@ -243,7 +243,8 @@ void Desk::serve_held(Turn& turn, std::vector<Pending>& pending) {
     auto call = take_held(worker);
     if (!call) return;
     auto send = std::make_shared<HeldCall>(std::move(*call));
-    pending.push_back({[send, order = std::move(order)] { send->answer(order); }, [send](const Error&) { send->answer(OrderKeep{}); }});
+    pending.push_back(
+        {[send, order = std::move(order)] { send->answer(order); }, [send](const Error&) { send->answer(OrderKeep{}); }});
   };
   for (const std::string& worker : revoked_) reply(worker, OrderDrop{"the lease has ended (cancelled)"});
   while (!read_only_ && queue_->anything_ready() && !idle_.empty()) {

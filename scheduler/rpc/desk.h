@@ -64,8 +64,8 @@ class Desk {
   void hold(HeldCall call);
   void let_go(const std::string& worker, std::uint64_t id);  ///< the caller of that very call has gone
 
-  /// Called on the desk's thread after each commit with the experiments that have new events, and `periodic` about once
-  /// a second. Register before any work is posted.
+  /// Called on the desk's thread after each batch, with the experiments that have new committed events; `periodic` about
+  /// once a second. Register before any work is posted.
   using Listener = std::function<void(Turn&, const std::set<ExperimentId>& touched, bool periodic)>;
   void listen(Listener listener) { listener_ = std::move(listener); }
 
@@ -108,7 +108,7 @@ class Desk {
   std::set<ExperimentId> touched_;    ///< in this batch
   std::vector<std::string> revoked_;  ///< workers, in this batch
   Millis ticked_at_ = 0, probe_at_ = 0, listened_at_ = 0, swept_at_ = 0, worked_at_ = 0;
-  std::map<std::string, HeldCall> held_;        ///< by worker
+  std::map<std::string, HeldCall> held_;       ///< by worker
   std::map<std::uint64_t, std::string> idle_;  ///< of them, the idle ones by call id: first come, first served
 
   std::mutex mutex_;

@@ -15,8 +15,10 @@ void count_jobs(const std::vector<Wish>& wishes, const JobQueue& queue, v1::Desi
   for (const Wish& wish : wishes) {
     const JobQueue::Job* job = queue.find_key(wish.key);
     const bool known = job && job->status.state == JobState::kSucceeded;
-    if (known) ++stored;
-    else if (wish.spec.kind != StageKind::kFabric && counted.insert(wish.key).second) ++dem;
+    if (known)
+      ++stored;
+    else if (wish.spec.kind != StageKind::kFabric && counted.insert(wish.key).second)
+      ++dem;
   }
   summary.set_jobs(static_cast<std::uint32_t>(wishes.size()));
   summary.set_jobs_stored(stored);
@@ -30,7 +32,8 @@ void put_diagnostics(const Submission& submission, v1::SubmitReply& reply) {
 }  // namespace
 
 Error no_such_experiment(const std::string& label) {
-  return {Code::kNotFound, "experiment '" + label + "' is not known here (not in this database), list them with `regolab status`"};
+  return {Code::kNotFound,
+          "experiment '" + label + "' is not known here (not in this database), list them with `regolab status`"};
 }
 
 grpc::Status ExperimentsService::Validate(grpc::ServerContext*, const v1::SubmitRequest* request, v1::SubmitReply* reply) {
@@ -58,7 +61,8 @@ Result<void> ExperimentsService::take_in(Submission& submission, Desk::Turn& tur
   count_jobs(submission.wishes, turn.queue, *reply.mutable_summary());
   const ExperimentRecord* known = turn.book.find_request(record.request_id);
   if (known && known->digest != record.digest) {
-    return Error{Code::kAlreadyExists, "request_id '" + record.request_id + "' refused (used for another design), choose a new one"};
+    return Error{Code::kAlreadyExists,
+                 "request_id '" + record.request_id + "' refused (used for another design), choose a new one"};
   }
   if (!known) known = turn.book.find_digest(record.digest);
   if (known) {
@@ -96,7 +100,8 @@ grpc::Status ExperimentsService::Get(grpc::ServerContext*, const v1::GetRequest*
   }));
 }
 
-grpc::Status ExperimentsService::Cancel(grpc::ServerContext*, const v1::CancelRequest* request, v1::ExperimentStatus* reply) {
+grpc::Status ExperimentsService::Cancel(grpc::ServerContext*, const v1::CancelRequest* request,
+                                        v1::ExperimentStatus* reply) {
   return to_grpc(desk_.ask(Desk::Need::kWrite, [&](Desk::Turn& turn) -> Result<void> {
     const ExperimentRecord* record = turn.book.find_label(request->experiment());
     if (!record) return no_such_experiment(request->experiment());

@@ -47,8 +47,8 @@ void add_failure(const JobQueue::Job& job, const JobLink& link, v1::ExperimentSt
   if (!unphysical && state != JobState::kFailed && state != JobState::kQuarantined) return;
   if (out.failures_size() >= kMostFailures) return;
   const std::string_view what = unphysical ? name_of(job.status.end.value_or(StageEnd::kUnstable)) : name_of(state);
-  out.add_failures("point " + std::to_string(link.point) + " seed " + std::to_string(link.seed) + " " + stage_text(job.identity.spec) +
-                   ": " + std::string(what) + " (" + job.status.detail + ")");
+  out.add_failures("point " + std::to_string(link.point) + " seed " + std::to_string(link.seed) + " " +
+                   stage_text(job.identity.spec) + ": " + std::string(what) + " (" + job.status.detail + ")");
 }
 
 /// Work left over workers; nothing is known before each kind of stage left has been measured once.

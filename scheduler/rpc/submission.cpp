@@ -67,9 +67,10 @@ Submission prepare(const v1::SubmitRequest& request) {
   const Design& design = *read.value;
   const std::size_t per_point = design.seeds.size() * (2 + (design.repose ? 1 : 0) + design.confining_stresses.size());
   if (design.points.size() > kMostPoints || design.points.size() * per_point > kMostStages) {
-    refuse(out, request, "the study has " + std::to_string(design.points.size()) + " points and " +
-                             std::to_string(design.points.size() * per_point) + " stages (at most " + std::to_string(kMostPoints) +
-                             " and " + std::to_string(kMostStages) + "), split it or use fewer seeds");
+    refuse(out, request,
+           "the study has " + std::to_string(design.points.size()) + " points and " +
+               std::to_string(design.points.size() * per_point) + " stages (at most " + std::to_string(kMostPoints) +
+               " and " + std::to_string(kMostStages) + "), split it or use fewer seeds");
     return out;
   }
   out.summary = to_proto(design);
@@ -79,8 +80,10 @@ Submission prepare(const v1::SubmitRequest& request) {
       std::string settle_key;
       for (const StageSpec& spec : expand(design, point, seed)) {
         Wish wish{point.point, seed, spec, stage_key(spec), {}};
-        if (needs_bed(spec.kind)) wish.parent_key = settle_key;
-        else settle_key = wish.key;
+        if (needs_bed(spec.kind))
+          wish.parent_key = settle_key;
+        else
+          settle_key = wish.key;
         out.wishes.push_back(std::move(wish));
       }
     }
@@ -93,8 +96,10 @@ Submission prepare(const v1::SubmitRequest& request) {
 std::string label_of(const std::string& name, const std::string& digest) {
   std::string label;
   for (const char c : name.substr(0, 40)) {
-    if (std::isalnum(static_cast<unsigned char>(c))) label += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-    else if (!label.empty() && label.back() != '-') label += '-';
+    if (std::isalnum(static_cast<unsigned char>(c)))
+      label += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    else if (!label.empty() && label.back() != '-')
+      label += '-';
   }
   if (!label.empty() && label.back() != '-') label += '-';
   return label + digest.substr(0, 6);

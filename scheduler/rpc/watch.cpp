@@ -19,7 +19,8 @@ class Watcher {
  public:
   class Stream;
 
-  Watcher(std::string label, std::uint64_t from_seq) : label_(std::move(label)), next_seq_(std::max<std::uint64_t>(from_seq, 1)) {}
+  Watcher(std::string label, std::uint64_t from_seq)
+      : label_(std::move(label)), next_seq_(std::max<std::uint64_t>(from_seq, 1)) {}
 
   bool open() const {
     const std::lock_guard lock(mutex_);
@@ -30,7 +31,8 @@ class Watcher {
   void end(const grpc::Status& status);
 
   const std::string& label() const { return label_; }
-  ExperimentId id{};  ///< on the desk's thread
+  ExperimentId id{};  ///< on the desk's thread, as the next
+  bool fresh = true;  ///< has not been fed yet
 
  private:
   void start_next();  ///< with mutex_ held
@@ -55,7 +57,8 @@ class Watcher::Stream final : public grpc::ServerWriteReactor<v1::WatchEvent> {
     const std::lock_guard lock(watcher_->mutex_);
     watcher_->writing_ = false;
     watcher_->outgoing_.pop_front();
-    if (!ok) watcher_->ending_ = grpc::Status(grpc::StatusCode::CANCELLED, "the reader has gone"), watcher_->outgoing_.clear();
+    if (!ok)
+      watcher_->ending_ = grpc::Status(grpc::StatusCode::CANCELLED, "the reader has gone"), watcher_->outgoing_.clear();
     watcher_->start_next();
   }
   void OnCancel() override { watcher_->end({grpc::StatusCode::CANCELLED, "the reader has gone"}); }
@@ -117,7 +120,9 @@ void Watcher::feed(Desk::Turn& turn, bool with_progress) {
 }
 
 WatchHub::WatchHub(Desk& desk) : desk_(desk) {
-  desk_.listen([this](Desk::Turn& turn, const std::set<ExperimentId>& touched, bool periodic) { on_commit(turn, touched, periodic); });
+  desk_.listen([this](Desk::Turn& turn, const std::set<ExperimentId>& touched, bool periodic) {
+    on_commit(turn, touched, periodic);
+  });
 }
 
 WatchHub::~WatchHub() = default;
@@ -134,8 +139,7 @@ grpc::ServerWriteReactor<v1::WatchEvent>* WatchHub::open(const std::string& labe
           return {};
         }
         watcher->id = record->id;
-        watchers_.push_back(watcher);
-        watcher->feed(turn, true);
+        watchers_.push_back(watcher);  // fed after the commit: nothing is told that may yet be rolled back
         return {};
       },
       [watcher](const Error& error) { watcher->end(to_grpc(error)); });
@@ -145,7 +149,9 @@ grpc::ServerWriteReactor<v1::WatchEvent>* WatchHub::open(const std::string& labe
 void WatchHub::on_commit(Desk::Turn& turn, const std::set<ExperimentId>& touched, bool periodic) {
   watchers_.remove_if([](const auto& watcher) { return !watcher->open(); });
   for (const auto& watcher : watchers_) {
-    if (periodic || touched.contains(watcher->id)) watcher->feed(turn, periodic);
+    if (!periodic && !watcher->fresh && !touched.contains(watcher->id)) continue;
+    watcher->feed(turn, periodic || watcher->fresh);
+    watcher->fresh = false;
   }
 }
 
@@ -153,7 +159,8 @@ void WatchHub::close_all() {
   (void)desk_
       .ask(Desk::Need::kRead,
            [this](Desk::Turn&) -> Result<void> {
-             for (const auto& watcher : watchers_) watcher->end({grpc::StatusCode::UNAVAILABLE, "the scheduler is shutting down"});
+             for (const auto& watcher : watchers_)
+               watcher->end({grpc::StatusCode::UNAVAILABLE, "the scheduler is shutting down"});
              return {};
            })
       .ok();

@@ -14,16 +14,19 @@ namespace {
 constexpr Millis kLongestIdleHold = 20'000;
 constexpr std::size_t kLongestName = 128;
 
-Result<WorkerReport> from_proto(const v1::SyncRequest& in) {
+Result<WorkerReport> report_of(const v1::SyncRequest& in) {
   if (in.worker().empty() || in.worker().size() > kLongestName) {
     return invalid("worker name refused (1 to 128 characters expected)");
   }
   WorkerReport report{in.worker(), in.seq(), in.draining(), WorkerIdle{}};
   if (in.slot().has_running()) {
     const v1::Running& r = in.slot().running();
-    if (!r.checkpoint().empty() && !is_digest(r.checkpoint())) return invalid("checkpoint digest refused (64 hex digits expected)");
-    report.slot = WorkerRunning{JobId{r.job()}, LeaseToken{r.lease_token()},
-                                {r.phase(), std::clamp(r.fraction(), 0.0, 1.0), r.steps(), r.sphere_steps_per_s()}, r.checkpoint()};
+    if (!r.checkpoint().empty() && !is_digest(r.checkpoint()))
+      return invalid("checkpoint digest refused (64 hex digits expected)");
+    report.slot = WorkerRunning{JobId{r.job()},
+                                LeaseToken{r.lease_token()},
+                                {r.phase(), std::clamp(r.fraction(), 0.0, 1.0), r.steps(), r.sphere_steps_per_s()},
+                                r.checkpoint()};
   } else if (in.slot().has_finished()) {
     const v1::Finished& f = in.slot().finished();
     WorkerFinished finished{JobId{f.job()}, LeaseToken{f.lease_token()}, JobFailure{}, f.bed(), f.wall_s(), f.steps()};
@@ -42,7 +45,7 @@ Result<WorkerReport> from_proto(const v1::SyncRequest& in) {
   return report;
 }
 
-void to_proto(const Order& order, v1::SyncReply& out) {
+void put_order(const Order& order, v1::SyncReply& out) {
   if (const auto* start = std::get_if<OrderStart>(&order)) {
     v1::Start& s = *out.mutable_start();
     s.set_job(static_cast<std::uint64_t>(start->job));
@@ -67,7 +70,7 @@ class SyncCall final : public grpc::ServerUnaryReactor {
 
   std::uint64_t id() const { return id_; }
   void answer(const Order& order, Millis lease_ttl, std::size_t workers) {
-    to_proto(order, *reply_);
+    put_order(order, *reply_);
     reply_->set_lease_ttl_ms(static_cast<std::uint32_t>(lease_ttl));
     // A report a second while there are few workers; rarer when many would ask, but three within a lease.
     const Millis pace = std::min(std::max<Millis>(1000, static_cast<Millis>(2 * workers)), lease_ttl / 3);
@@ -94,7 +97,8 @@ class SyncCall final : public grpc::ServerUnaryReactor {
   const std::uint64_t id_;
 };
 
-/// The right to finish a call, used up by its first use: a held call may be answered and refused at once when a commit fails.
+/// The right to finish a call, used up by its first use: a held call may be answered and refused at once when a commit
+/// fails.
 class Ticket {
  public:
   explicit Ticket(SyncCall* call) : call_(call) {}
@@ -113,7 +117,8 @@ Result<void> check_artifacts(WorkerReport& report, Desk::Turn& turn) {
   const auto* done = std::get_if<WorkerFinished>(&report.slot);
   if (!done) return {};
   if (turn.read_only) {
-    return Error{Code::kResourceExhausted, "the result cannot be stored now (the disk is full), free some space; it is asked for again"};
+    return Error{Code::kResourceExhausted,
+                 "the result cannot be stored now (the disk is full), free some space; it is asked for again"};
   }
   const JobQueue::Job* job = turn.queue.find(done->job);
   const auto* result = std::get_if<std::shared_ptr<const StageResult>>(&done->outcome);
@@ -133,12 +138,12 @@ grpc::ServerUnaryReactor* WorkerPoolService::Sync(grpc::CallbackServerContext*, 
                                                   v1::SyncReply* reply) {
   auto* call = new SyncCall(desk_, request->worker(), reply);
   if (request->physics_version() != kPhysicsVersion) {
-    call->refuse({Code::kFailedPrecondition, "worker refused (its physics version is " + std::to_string(request->physics_version()) +
-                                                 ", this scheduler's " + std::to_string(kPhysicsVersion) +
-                                                 "), use worker and scheduler of one build"});
+    call->refuse({Code::kFailedPrecondition,
+                  "worker refused (its physics version is " + std::to_string(request->physics_version()) +
+                      ", this scheduler's " + std::to_string(kPhysicsVersion) + "), use worker and scheduler of one build"});
     return call;
   }
-  auto parsed = from_proto(*request);
+  auto parsed = report_of(*request);
   if (!parsed.ok()) {
     call->refuse(parsed.error());
     return call;
@@ -151,7 +156,8 @@ grpc::ServerUnaryReactor* WorkerPoolService::Sync(grpc::CallbackServerContext*, 
   desk_.post(
       Desk::Need::kRead,
       [this, ticket, refuse, report, wanted = Millis{request->hold_ms()}](Desk::Turn& turn) -> Desk::Answer {
-        if (const auto fit = check_artifacts(*report, turn); !fit.ok()) return [refuse, error = fit.error()] { refuse(error); };
+        if (const auto fit = check_artifacts(*report, turn); !fit.ok())
+          return [refuse, error = fit.error()] { refuse(error); };
         const bool running = std::holds_alternative<WorkerRunning>(report->slot);
         const bool idle = std::holds_alternative<WorkerIdle>(report->slot);
         std::optional<Order> order = OrderKeep{};  // a full disk: nothing can be given away
@@ -163,8 +169,10 @@ grpc::ServerUnaryReactor* WorkerPoolService::Sync(grpc::CallbackServerContext*, 
         if (order) return [answer, given = std::move(*order)] { answer(given); };
         const Millis hold = std::min(wanted, idle ? kLongestIdleHold : turn.queue.policy().lease_ttl / 3);
         desk_.hold({report->worker, ticket->id(), idle, turn.now + hold, [answer, refuse](const std::optional<Order>& late) {
-                      if (late) answer(*late);
-                      else refuse({Code::kUnavailable, "the scheduler is shutting down"});
+                      if (late)
+                        answer(*late);
+                      else
+                        refuse({Code::kUnavailable, "the scheduler is shutting down"});
                     }});
         return {};
       },
