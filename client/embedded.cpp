@@ -59,6 +59,14 @@ std::string how_it_ended(const ChildEnd& end) {
   return end.by_signal ? fmt::format("killed by signal {}", end.code) : fmt::format("exit code {}", end.code);
 }
 
+/// The scheduler's own words: what follows its name, without the log lines before.
+std::string last_words(const fs::path& log) {
+  const std::string name = "regolab-scheduler: ";
+  const std::string said = tail_of(log, 20);
+  const auto at = said.rfind(name);
+  return at == std::string::npos ? said : said.substr(at + name.size());
+}
+
 }  // namespace
 
 std::string running_scheduler_of(const fs::path& database) {
@@ -95,7 +103,7 @@ Outcome Embedded::start_scheduler(const Options& options) {
     if (line && line->starts_with("listening on")) break;
     if (line) continue;
     const bool ended = scheduler.child.wait(1s);
-    const std::string said = tail_of(scheduler.start.log, 20);
+    const std::string said = last_words(scheduler.start.log);
     if (!ended) {
       scheduler.child.send(SIGKILL);
       scheduler.child.wait(1s);

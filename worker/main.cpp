@@ -5,7 +5,6 @@
 #include <iostream>
 #include <map>
 #include <string>
-#include <thread>
 
 #include "worker/output/run_command.h"
 #include "worker/output/signal_stop.h"
@@ -19,7 +18,7 @@ using namespace regolab;
 const std::map<std::string, double> kSeconds{{"ms", 1e-3}, {"s", 1.0}, {"min", 60.0}, {"h", 3600.0}};
 
 void add_common(CLI::App& verb, int& threads, double& checkpoint_every_s) {
-  verb.add_option("--threads", threads, "inside one stage; does not change the results")
+  verb.add_option("--threads", threads, "inside one stage; pays for large beds on idle cores; does not change the results")
       ->check(CLI::Range(1, 1024))
       ->capture_default_str();
   verb.add_option("--checkpoint-every", checkpoint_every_s, "wall time between checkpoints: 60s, 5min, ...")
@@ -40,8 +39,7 @@ int parse_and_run(int argc, char** argv) {
   app.require_subcommand(1);
   app.footer("Example: regolab-worker run job.yaml --out results/job-1");
 
-  const int cores = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
-  RunCommand command{.threads = cores, .terminal = ::isatty(STDERR_FILENO) == 1};
+  RunCommand command{.terminal = ::isatty(STDERR_FILENO) == 1};
   CLI::App& run_verb = *app.add_subcommand("run", "settle, measure and test one material, without a scheduler");
   run_verb.add_option("job", command.job_file, "JOB.yaml")->required();
   run_verb

@@ -11,6 +11,7 @@ namespace regolab::analysis {
 namespace {
 
 constexpr double kSignificant = 0.05;
+constexpr double kTie = 1e-9;  // symmetric designs have runs of equal weight: the first is named, whatever the rounding
 
 /// The article's rule: an effect matters when its range is at least twice that of the others [article Sec. 3.1.1]. "The
 /// others" are read as their lower quartile, the background every factor has.
@@ -53,7 +54,8 @@ void leave_one_out(const AdditiveModel& model, const PointMeans& means, std::siz
     if (!without) continue;
     analysis.leave_one_out_range_min = std::min(analysis.leave_one_out_range_min, without->range);
     analysis.leave_one_out_range_max = std::max(analysis.leave_one_out_range_max, without->range);
-    if (leaning && std::abs(without->range - analysis.range) <= std::abs(changed.range - analysis.range)) continue;
+    const double most = leaning ? std::abs(changed.range - analysis.range) : -1;
+    if (std::abs(without->range - analysis.range) <= most * (1 + kTie)) continue;
     leaning = run;
     changed = *without;
   }
@@ -117,6 +119,17 @@ void rank_factors(std::vector<FactorAnalysis>& factors) {
   }
 }
 
+/// A stored table whose rows do not fit its factors is damaged; nothing can be read from it.
+bool well_formed(const ResultTable& table) {
+  return std::ranges::all_of(table.rows, [&](const TableRow& row) {
+    if (row.level.size() != table.factors.size()) return false;
+    for (std::size_t i = 0; i < row.level.size(); ++i) {
+      if (row.level[i] < 0 || static_cast<std::size_t>(row.level[i]) >= table.factors[i].levels.size()) return false;
+    }
+    return true;
+  });
+}
+
 Error no_such_response(const ResultTable& table, const std::string& response) {
   std::string known;
   for (const TableResponse& r : table.responses) known += (known.empty() ? "" : ", ") + r.id;
@@ -137,6 +150,10 @@ bool is_primary(std::string_view response) {
 Result<ResponseAnalysis> analyse_range(const ResultTable& table, const std::string& response) {
   const auto found = std::ranges::find(table.responses, response, &TableResponse::id);
   if (found == table.responses.end()) return no_such_response(table, response);
+  if (!well_formed(table)) {
+    return Error{Code::kDataLoss,
+                 "the table's rows do not fit its factors (stored levels are damaged) submit the design again"};
+  }
   const PointMeans means = point_means(table, *found);
   if (means.points.size() < 2) {
     return Error{Code::kFailedPrecondition, response + " is known at " + std::to_string(means.points.size()) + " of " +

@@ -16,8 +16,8 @@ struct DesignFiles {
 
 /// What the command line says louder than the file.
 struct DesignOverrides {
-  std::string profile;  ///< empty = the file's
-  unsigned seeds = 0;   ///< seeds 1..n for every point; 0 = the file's
+  std::string profile = {};  ///< empty = the file's
+  unsigned seeds = 0;        ///< seeds 1..n for every point; 0 = the file's
 };
 
 /// All errors at once, sorted by place; an override's errors have line 0.

@@ -50,7 +50,7 @@ World swarm(const Swarm& settings) {
 
 World pressed_packing(int clusters, double friction) {
   World world = swarm({.clusters = clusters, .seed = 5, .speed = 0.05, .friction = friction, .damping = 0.3});
-  constexpr double kWanted = 1.0, kSpeed = 0.3;  // force of each wall [N], its speed inwards without force [m/s]
+  constexpr double kWanted = 5.0, kSpeed = 0.1;  // force of each wall [N], its speed inwards without force [m/s]
   world.drag = 200;                              // quiets the grains that the walls sweep up
   for (auto& wall : world.walls.wall) wall.friction = 0;
   int pressed_looks = 0;
@@ -65,7 +65,8 @@ World pressed_packing(int clusters, double friction) {
     run(world, 20);
   }
   for (auto& wall : world.walls.wall) wall.velocity = 0;
-  for (int look = 0; look < 400 && dem::unbalanced_force_ratio(world) > 5e-6; ++look) run(world, 500);
+  world.drag = 60;
+  for (int look = 0; look < 60 && dem::unbalanced_force_ratio(world) > 1e-7; ++look) run(world, 1000);
   return world;
 }
 

@@ -22,7 +22,10 @@ Error write_error(const std::filesystem::path& path, int code) {
     case EACCES:
     case EPERM:
     case EROFS: return {Code::kFailedPrecondition, why + " choose a folder you may write to"};
+    case ENOENT:
     case ENOTDIR:
+    case ENAMETOOLONG:
+    case ELOOP:
     case EISDIR:
     case EEXIST: return {Code::kFailedPrecondition, why + " choose another folder"};
     default: return {Code::kInternal, why + " check the disk"};

@@ -1,10 +1,6 @@
 #include "worker/output/finished_stage.h"
 
-#include <openssl/evp.h>
-
-#include <array>
-
-#include "vocab/canonical.h"
+#include "digest/sha256.h"
 
 namespace regolab {
 
@@ -32,21 +28,6 @@ std::string stage_name(StageKind kind) {
   }
   return "unknown";
 }
-
-std::string sha256_hex(std::string_view bytes) {
-  std::array<unsigned char, EVP_MAX_MD_SIZE> digest{};
-  unsigned int size = 0;
-  EVP_Digest(bytes.data(), bytes.size(), digest.data(), &size, EVP_sha256(), nullptr);
-  constexpr std::string_view kDigits = "0123456789abcdef";
-  std::string text;
-  for (unsigned int i = 0; i < size; ++i) {
-    text += kDigits[digest[i] >> 4];
-    text += kDigits[digest[i] & 15];
-  }
-  return text;
-}
-
-std::string stage_key(const StageSpec& spec) { return sha256_hex(canonical_text(spec)); }
 
 std::string job_key(const Job& job) {
   std::string keys;

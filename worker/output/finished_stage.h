@@ -2,7 +2,6 @@
 #pragma once
 #include <cstdint>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "input/job_file.h"
@@ -24,14 +23,8 @@ std::vector<StageSpec> stages_of(const Job& job);
 /// For people: "settle", "fabric", "repose", "stress".
 std::string stage_name(StageKind kind);
 
-/// SHA-256 of canonical_text(spec), 64 hexadecimal digits: the same on every machine and in the scheduler's store.
-std::string stage_key(const StageSpec& spec);
-
 /// One name for the whole job: the SHA-256 of its stages' keys.
 std::string job_key(const Job& job);
-
-/// SHA-256 of any bytes, 64 hexadecimal digits.
-std::string sha256_hex(std::string_view bytes);
 
 /// The release, as `regolab-worker --version` prints it.
 std::string program_version();

@@ -116,6 +116,7 @@ bool finite(const std::vector<double>& values) {
 
 std::string observations_yaml(const Job& job, const std::vector<FinishedStage>& stages, const std::string& case_name) {
   YAML::Emitter out;
+  out.SetNullFormat(YAML::LowerNull);
   out << YAML::BeginMap;
   text(out, "format", "observations/1");
   text(out, "case", case_name);

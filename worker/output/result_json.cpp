@@ -3,7 +3,7 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
-#include "vocab/canonical.h"
+#include "digest/sha256.h"
 #include "vocab/units.h"
 #include "worker/output/job_json.h"
 #include "worker/output/number_text.h"

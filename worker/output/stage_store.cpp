@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "digest/sha256.h"
 #include "worker/output/atomic_file.h"
 #include "worker/output/result_json.h"
 

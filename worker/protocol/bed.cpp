@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <optional>
 
 #include "vocab/canonical.h"
 #include "worker/dem/watch.h"
@@ -11,7 +12,8 @@
 namespace regolab::protocol {
 namespace {
 
-constexpr double kFillFraction = 0.3;   // of spheres in the filling box [protocols, section 1]
+constexpr double kFillFractions[] = {0.3, 0.25, 0.2, 0.15, 0.1};  // of spheres; about 0.3 [protocols, section 1], less where
+                                                                  // a narrow base leaves the large ones no room
 constexpr double kClearance = 0.02;     // between parents, and to the walls: four-sphere clusters stick out by up to 1 %
 
 void raise_walls(Bed& bed) {
@@ -54,7 +56,10 @@ std::string generate_bed(const StageSpec& spec, Bed& bed) {
   bed.step_fraction = spec.numerics.step_fraction;
   const generate::Random random(spec.seed);
   const auto diameters = generate::parent_diameters(spec.numerics.clusters, spec.micro.largest_diameter, random);
-  const auto parents = generate::place_parents(diameters, bed.length, bed.width, kFillFraction, kClearance, random);
+  std::optional<generate::Parents> parents;
+  for (const double fraction : kFillFractions) {
+    if (!parents) parents = generate::place_parents(diameters, bed.length, bed.width, fraction, kClearance, random);
+  }
   if (!parents) {
     return "the parent spheres found no room (box " + std::to_string(bed.length) + " m x " + std::to_string(bed.width) +
            " m is too narrow for L_S = " + std::to_string(spec.micro.largest_diameter) + " m) widen the box";

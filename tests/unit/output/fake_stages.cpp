@@ -2,6 +2,7 @@
 
 #include <charconv>
 
+#include "digest/sha256.h"
 #include "vocab/profile.h"
 #include "vocab/units.h"
 #include "worker/output/finished_stage.h"

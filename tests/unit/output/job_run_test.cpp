@@ -4,6 +4,7 @@
 
 #include <fstream>
 
+#include "digest/sha256.h"
 #include "unit/output/fake_stages.h"
 #include "unit/output/temporary_folder.h"
 #include "worker/output/atomic_file.h"

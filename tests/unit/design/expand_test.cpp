@@ -1,0 +1,82 @@
+#include "scheduler/design/expand.h"
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "scheduler/design/design_file.h"
+#include "support/diagnostics.h"
+
+namespace regolab {
+namespace {
+
+using ::testing::ElementsAre;
+
+Design article() {
+  return *read_design(
+              {testing_support::read_file(REGOLAB_SOURCE "/client/examples/article-l32.yaml"), "article-l32.yaml", {}},
+              {.seeds = 2})
+              .value;
+}
+
+TEST(Expand, SettlesFirstThenMeasuresOnThatBed) {
+  const Design design = article();
+  const std::vector<StageSpec> stages = expand(design, design.points[6], 2);
+  ASSERT_EQ(stages.size(), 7u);
+  EXPECT_EQ(stages[0].kind, StageKind::kSettle);
+  EXPECT_EQ(stages[1].kind, StageKind::kFabric);
+  EXPECT_EQ(stages[2].kind, StageKind::kRepose);
+  for (std::size_t i = 1; i < stages.size(); ++i) EXPECT_EQ(parent_of(stages[i]), stages[0]);
+  std::vector<double> stresses;
+  for (std::size_t i = 3; i < stages.size(); ++i) stresses.push_back(stages[i].confining_stress);
+  EXPECT_THAT(stresses, ElementsAre(1250, 2500, 5000, 10000));
+  EXPECT_EQ(stages[0].seed, 2u);
+  EXPECT_EQ(stages[0].micro, design.points[6].micro);
+}
+
+TEST(Expand, TheWholeStudyIsPointsTimesSeedsTimesStages) {
+  const Design design = article();
+  EXPECT_EQ(expand(design).size(), 32u * 2u * 7u);
+}
+
+TEST(Responses, PrimaryOnesComeFirstAndKnowTheirStage) {
+  const Design design = article();
+  const std::vector<TableResponse> responses = responses_of(design);
+  std::vector<std::string> first;
+  for (std::size_t i = 0; i < 8; ++i) first.push_back(responses[i].id);
+  EXPECT_THAT(first,
+              ElementsAre("contacts_per_particle", "bulk_density", "void_ratio", "repose_angle", "sigma1_at_sigma3_1.25kPa",
+                          "sigma1_at_sigma3_2.5kPa", "sigma1_at_sigma3_5kPa", "sigma1_at_sigma3_10kPa"));
+  EXPECT_EQ(source_of("repose_angle_whole").kind, StageKind::kRepose);
+  EXPECT_EQ(source_of("core_density").kind, StageKind::kFabric);
+  EXPECT_EQ(source_of("void_ratio_compressed_2.5kPa").confining_stress, 2500);
+  EXPECT_EQ(source_of("sigma1_0.10_0.20_at_sigma3_10kPa").kind, StageKind::kStress);
+  EXPECT_EQ(source_of("sigma1_0.10_0.20_at_sigma3_10kPa").confining_stress, 10000);
+  std::set<std::string> ids;
+  for (const TableResponse& response : responses) EXPECT_TRUE(ids.insert(response.id).second) << response.id;
+}
+
+TEST(Responses, OnlyWhatIsMeasured) {
+  Design design = article();
+  design.repose = false;
+  design.confining_stresses = {3300};
+  for (const TableResponse& response : responses_of(design)) EXPECT_EQ(response.id.find("repose"), std::string::npos);
+  EXPECT_EQ(responses_of(design)[3].id, "sigma1_at_sigma3_3.3kPa");
+}
+
+TEST(EmptyTable, HasARowPerPointAndSeed) {
+  const Design design = article();
+  const ResultTable table = empty_table(design, "E1");
+  EXPECT_EQ(table.experiment, "E1");
+  ASSERT_EQ(table.rows.size(), 64u);
+  EXPECT_EQ(table.rows[3].point, 2);
+  EXPECT_EQ(table.rows[3].seed, 2u);
+  EXPECT_EQ(table.rows[3].level, design.points[1].level);
+  EXPECT_TRUE(table.rows[3].value.empty());
+  EXPECT_EQ(table.factors[5].name, "L_S");
+  EXPECT_EQ(table.factors[5].unit, "cm");
+  EXPECT_EQ(table.fixed.at("gravity"), "1.63 m/s2");
+}
+
+}  // namespace
+}  // namespace regolab
