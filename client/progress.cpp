@@ -98,7 +98,7 @@ void ProgressLine::show(const pb::ExperimentStatus& status) {
 void ProgressLine::say(const std::string& line) {
   clear();
   console_.err << line << std::endl;
-  last_line_.reset();
+  if (console_.live) last_line_.reset();  // the rewritten line is back with the next status
 }
 
 void ProgressLine::clear() {

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "client/commands/commands.h"
@@ -12,6 +13,8 @@
 
 namespace regolab::client {
 namespace {
+
+constexpr int kFailuresShown = 10;
 
 /// Opens the session and has the design judged. A database is made only for a design that can run.
 Outcome open_for(const Arguments& arguments, const pb::SubmitRequest& request, Session& session, pb::SubmitReply& judged) {
@@ -64,7 +67,10 @@ Outcome finish(const Arguments& arguments, Session& session, const pb::Experimen
   else
     console.out << range_matrix_text(range);
   console.out.flush();
-  for (const auto& failure : status.failures()) console.err << "  " << failure << "\n";
+  for (int i = 0; i < std::min(status.failures_size(), kFailuresShown); ++i)
+    console.err << "  " << status.failures(i) << "\n";
+  if (status.failures_size() > kFailuresShown)
+    console.err << "  and more: regolab status last" << where_flags(arguments) << "\n";
   say_where_and_next(arguments, status, console);
   return verdict_of(status);
 }

@@ -26,7 +26,9 @@ bool same_level(const std::string& a, const std::string& b) {
 /// The value of a parameter at a row: a factor's level or a fixed value; empty when the table does not say.
 std::string parameter_at(const ResultTable& table, const TableRow& row, const std::string& name) {
   for (std::size_t i = 0; i < table.factors.size(); ++i) {
-    if (table.factors[i].name == name) return table.factors[i].levels[static_cast<std::size_t>(row.level[i])];
+    if (table.factors[i].name != name || i >= row.level.size()) continue;
+    const auto level = static_cast<std::size_t>(row.level[i]);
+    if (level < table.factors[i].levels.size()) return table.factors[i].levels[level];
   }
   const auto fixed = table.fixed.find(name);
   return fixed == table.fixed.end() ? "" : fixed->second;

@@ -119,6 +119,17 @@ void rank_factors(std::vector<FactorAnalysis>& factors) {
   }
 }
 
+/// A stored table whose rows do not fit its factors is damaged; nothing can be read from it.
+bool well_formed(const ResultTable& table) {
+  return std::ranges::all_of(table.rows, [&](const TableRow& row) {
+    if (row.level.size() != table.factors.size()) return false;
+    for (std::size_t i = 0; i < row.level.size(); ++i) {
+      if (row.level[i] < 0 || static_cast<std::size_t>(row.level[i]) >= table.factors[i].levels.size()) return false;
+    }
+    return true;
+  });
+}
+
 Error no_such_response(const ResultTable& table, const std::string& response) {
   std::string known;
   for (const TableResponse& r : table.responses) known += (known.empty() ? "" : ", ") + r.id;
@@ -139,6 +150,10 @@ bool is_primary(std::string_view response) {
 Result<ResponseAnalysis> analyse_range(const ResultTable& table, const std::string& response) {
   const auto found = std::ranges::find(table.responses, response, &TableResponse::id);
   if (found == table.responses.end()) return no_such_response(table, response);
+  if (!well_formed(table)) {
+    return Error{Code::kDataLoss,
+                 "the table's rows do not fit its factors (stored levels are damaged) submit the design again"};
+  }
   const PointMeans means = point_means(table, *found);
   if (means.points.size() < 2) {
     return Error{Code::kFailedPrecondition, response + " is known at " + std::to_string(means.points.size()) + " of " +

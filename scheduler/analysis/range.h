@@ -52,7 +52,8 @@ struct ResponseAnalysis {
   std::vector<std::string> notes;
 };
 
-/// Errors: kNotFound (no such response; the text names those there are), kFailedPrecondition (fewer than two runs measured).
+/// Errors: kNotFound (no such response; the text names those there are), kFailedPrecondition (fewer than two runs measured),
+/// kDataLoss (rows that do not fit the factors).
 Result<ResponseAnalysis> analyse_range(const ResultTable& table, const std::string& response);
 
 /// `response` empty: the primary ones that have results; "all": every one that has; else that one.

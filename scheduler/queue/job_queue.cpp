@@ -169,7 +169,9 @@ void JobQueue::on_lost_worker(Job& job, Millis, Effects& effects) {
     ++job.status.deaths_anywhere;
     job.status.death_steps = job.progress.steps;
   }
-  if (job.status.deaths >= policy_.max_deaths || job.status.deaths_anywhere >= policy_.max_deaths_anywhere) {
+  // Where nothing was heard of the run, the same place means little: twice the patience.
+  const int patience = job.status.death_steps > 0 ? policy_.max_deaths : 2 * policy_.max_deaths;
+  if (job.status.deaths >= patience || job.status.deaths_anywhere >= policy_.max_deaths_anywhere) {
     job.status.detail = std::to_string(job.status.deaths_anywhere) + " workers died running it (the last at step " +
                         std::to_string(job.status.death_steps) + "), look at the workers' logs, then retry";
     move(job, JobState::kQuarantined, effects);

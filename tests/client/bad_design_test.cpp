@@ -69,7 +69,7 @@ TEST_F(BadDesign, NotANumber) {
 }
 
 TEST_F(BadDesign, ABillionParticles) {
-  const std::string said = refusal(spoiled(good_design(), "particles: 20", "particles: 1000000000"));
+  const std::string said = refusal(spoiled(good_design(), "particles: 120", "particles: 1000000000"));
   EXPECT_THAT(said, HasSubstr("a.yaml:3:12: "));
   EXPECT_THAT(said, HasSubstr("20000"));
 }
@@ -89,7 +89,7 @@ TEST_F(BadDesign, BinaryFile) {
 TEST_F(BadDesign, AllProblemsAreToldAtOnce) {
   std::string text = spoiled(good_design(), "K_N: 5e4 N/m", "K_N: 5e4 N");
   text = spoiled(text, "seeds: 1", "seeds: 1\nseads: 2");
-  text = spoiled(text, "particles: 20", "particles: 1000000000");
+  text = spoiled(text, "particles: 120", "particles: 1000000000");
   const std::string said = refusal(text);
   EXPECT_THAT(said, HasSubstr("a.yaml:3:12: "));
   EXPECT_THAT(said, HasSubstr("a.yaml:5:1: unknown key 'seads'"));

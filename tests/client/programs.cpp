@@ -57,7 +57,7 @@ std::vector<std::string> Programs::listing() const {
 std::string good_design() {
   return R"(name: four
 profile: quick
-particles: 20
+particles: 120
 seeds: 1
 factors:
   theta_F: [5 degree, 40 degree]

@@ -48,7 +48,7 @@ TEST_F(Study, SubmittedExperimentsAreThereForEveryVerb) {
 }
 
 TEST_F(Study, ATimeoutLeavesWithSixAndKeepsTheExperiment) {
-  write("long.yaml", spoiled(good_design(), "particles: 20", "particles: 5000"));
+  write("long.yaml", spoiled(good_design(), "particles: 120", "particles: 5000"));
   const Ran ran = regolab("run long.yaml --timeout 1 --workers 1");
   EXPECT_EQ(ran.code, 6) << ran.err;
   EXPECT_THAT(ran.err, HasSubstr("not done after 1 s (--timeout)"));
@@ -56,7 +56,7 @@ TEST_F(Study, ATimeoutLeavesWithSixAndKeepsTheExperiment) {
 }
 
 TEST_F(Study, AnInterruptLeavesWithHundredThirtyAndSaysHowToGoOn) {
-  write("long.yaml", spoiled(good_design(), "particles: 20", "particles: 5000"));
+  write("long.yaml", spoiled(good_design(), "particles: 120", "particles: 5000"));
   const Ran ran = shell("timeout --foreground -s INT 2 $regolab run long.yaml --workers 1; exit $?");
   EXPECT_THAT(ran.err,
               HasSubstr("interrupted (what was finished is in regolab.db) go on with `regolab run long.yaml --workers 1`"));
@@ -64,7 +64,7 @@ TEST_F(Study, AnInterruptLeavesWithHundredThirtyAndSaysHowToGoOn) {
 }
 
 TEST_F(Study, ASecondClientFindsTheSchedulerOfTheFirst) {
-  write("long.yaml", spoiled(good_design(), "particles: 20", "particles: 5000"));
+  write("long.yaml", spoiled(good_design(), "particles: 120", "particles: 5000"));
   const Ran ran = shell(
       "$regolab run long.yaml --workers 1 2>first.err & first=$!\n"
       "for i in $(seq 100); do [ -s regolab.db.d/address ] && break; sleep 0.1; done\n"

@@ -19,8 +19,8 @@ struct Swarm {
 /// spinning; the same for the same settings.
 World swarm(const Swarm& settings);
 
-/// `clusters` of a swarm pressed by slowly closing smooth walls until they carry force, then brought to rest. `friction` (tan)
-/// is that between grains.
+/// `clusters` of a swarm pressed by slowly closing smooth walls until they carry force, then brought to rest. `friction`
+/// (tan) is that between grains.
 World pressed_packing(int clusters, double friction);
 
 }  // namespace regolab::test

@@ -13,7 +13,7 @@ namespace regolab {
 namespace {
 
 constexpr std::uint32_t kIdleHoldMs = 20'000;
-constexpr std::uint32_t kFirstHoldMs = 250;  // a stage that dies early should have been heard
+constexpr std::uint32_t kFirstHoldMs = 150;  // a stage that dies early should have been heard
 constexpr std::chrono::seconds kEarly{2};
 constexpr std::chrono::seconds kFarewell{5};  // a leaving worker waits so long for an absent scheduler
 constexpr std::chrono::milliseconds kLongestBackoff{2000};

@@ -1,23 +1,17 @@
 #include "worker/stage/envelope.h"
 
-#include <openssl/sha.h>
-
 #include <cstdint>
 #include <cstring>
 
+#include "digest/sha256.h"
 #include "vocab/stage.h"
 
 namespace regolab {
 namespace {
 
 constexpr std::string_view kMagic = "REGOLAB1";
+constexpr std::size_t kDigest = 64;              // hex digits
 constexpr std::size_t kHeader = 8 + 4 + 4 + 8;  // magic, content, physics version, length of the stage text
-
-std::string digest(std::string_view bytes) {
-  unsigned char sum[SHA256_DIGEST_LENGTH];
-  SHA256(reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size(), sum);
-  return {reinterpret_cast<const char*>(sum), sizeof sum};
-}
 
 template <class T>
 void append(std::string& bytes, T value) { bytes.append(reinterpret_cast<const char*>(&value), sizeof value); }
@@ -42,13 +36,13 @@ std::string seal(Content content, std::string_view stage_text, std::string_view 
   append(bytes, static_cast<std::uint64_t>(stage_text.size()));
   bytes += stage_text;
   bytes += payload;
-  return bytes + digest(bytes);
+  return bytes + sha256_hex(bytes);
 }
 
 Result<std::string_view> unseal(Content content, std::string_view stage_text, std::string_view bytes) {
-  if (bytes.size() < kHeader + SHA256_DIGEST_LENGTH || bytes.substr(0, kMagic.size()) != kMagic) return damaged("not one of ours");
-  const std::string_view body = bytes.substr(0, bytes.size() - SHA256_DIGEST_LENGTH);
-  if (digest(body) != bytes.substr(body.size())) return damaged("its checksum is wrong");
+  if (bytes.size() < kHeader + kDigest || bytes.substr(0, kMagic.size()) != kMagic) return damaged("not one of ours");
+  const std::string_view body = bytes.substr(0, bytes.size() - kDigest);
+  if (sha256_hex(body) != bytes.substr(body.size())) return damaged("its checksum is wrong");
   if (read_at<std::int32_t>(body, 8) != static_cast<std::int32_t>(content)) return damaged("a bed for a checkpoint or the reverse");
   if (read_at<std::int32_t>(body, 12) != kPhysicsVersion) return damaged("made by another physics version");
   const auto length = read_at<std::uint64_t>(body, 16);

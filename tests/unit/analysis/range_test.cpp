@@ -133,6 +133,14 @@ TEST(Range, UnknownResponseNamesTheKnownOnes) {
   EXPECT_THAT(analysis.error().text, HasSubstr("no response 'z' (the experiment has: y)"));
 }
 
+TEST(Range, ADamagedTableIsRefused) {
+  ResultTable table = table_of({3, 3}, l9_rows(2), kNine);
+  table.rows[4].level.clear();
+  EXPECT_EQ(analyse_range(table, "y").error().code, Code::kDataLoss);
+  table.rows[4].level = {0, 3};
+  EXPECT_EQ(analyse_range(table, "y").error().code, Code::kDataLoss);
+}
+
 TEST(Range, NothingMeasuredYet) {
   ResultTable table = table_of({3, 3}, l9_rows(2), std::vector<double>(9, NAN));
   const auto analysis = analyse_range(table, "y");

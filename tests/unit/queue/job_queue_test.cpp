@@ -173,6 +173,17 @@ TEST(JobQueue, AJobThatKillsItsWorkersAtTheSamePlaceIsQuarantined) {
   EXPECT_NE(lab.detail(stage(StageKind::kStress, 1, 1250)).find("3 workers died"), std::string::npos);
 }
 
+TEST(JobQueue, AJobThatKillsItsWorkersBeforeTheySpeakIsQuarantinedLater) {
+  Lab lab;
+  lab.submit(study(1));
+  for (int i = 0; i < 6; ++i) {
+    EXPECT_EQ(lab.state(stage(StageKind::kSettle, 1)), JobState::kReady);
+    lab.start("w" + std::to_string(i));
+    lab.pass(lab.policy.lease_ttl);
+  }
+  EXPECT_EQ(lab.state(stage(StageKind::kSettle, 1)), JobState::kQuarantined);
+}
+
 TEST(JobQueue, WorkersKilledAtOtherPlacesDoNotQuarantineTheirJob) {
   Lab lab;
   lab.submit(study(1));
