@@ -56,8 +56,8 @@ struct JobStatus {
   LeaseToken token{};             ///< of the newest lease
   std::string worker;             ///< holder of the newest lease
   int attempts = 0;               ///< failures counted so far
-  int deaths = 0;                 ///< workers lost in a row at the same place
-  int deaths_anywhere = 0;        ///< workers lost since the last checkpoint, wherever they were
+  int deaths = 0;                 ///< workers lost in a row at the same place, without a new checkpoint
+  int deaths_anywhere = 0;        ///< workers lost, wherever they were
   std::uint64_t death_steps = 0;  ///< where the last of them was heard [steps]
   std::string detail;             ///< why it stands so; problem (why) remedy
   std::string bed;                ///< digest, settle stages that succeeded

@@ -91,7 +91,7 @@ std::optional<Order> JobQueue::on_running(const std::string& name, const WorkerR
   extend(*job, now + policy_.lease_ttl);
   if (!run.checkpoint.empty() && run.checkpoint != job->status.checkpoint) {
     job->status.checkpoint = run.checkpoint;
-    job->status.deaths = job->status.deaths_anywhere = 0;  // it gets on: not a job that kills its workers
+    job->status.deaths = 0;  // it gets on: not a job that kills its workers at one place
     emit(effects, JobChanged{job->identity.id, job->status});
   }
   return std::nullopt;
@@ -163,7 +163,7 @@ Millis JobQueue::backoff(const Job& job, FailureClass kind) const {
 void JobQueue::on_lost_worker(Job& job, Millis, Effects& effects) {
   end_lease(job, "lost", job.heard ? "" : "not heard since the scheduler started", effects);
   if (job.heard) {  // else nobody knows whether the worker or only the scheduler was away
-    const bool again = job.status.deaths > 0 && same_place(job.progress.steps, job.status.death_steps, job.stride);
+    const bool again = job.status.deaths > 0 && same_place(job.progress.steps, job.status.death_steps, 2 * job.stride);
     // Stages are pure functions: one that kills its worker does so at the same step. Other deaths are the machine's.
     job.status.deaths = again ? job.status.deaths + 1 : 1;
     ++job.status.deaths_anywhere;

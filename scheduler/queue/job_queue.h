@@ -19,8 +19,8 @@ using Millis = std::int64_t;  ///< steady time [ms]
 struct QueuePolicy {
   Millis lease_ttl = 15'000;
   int max_attempts = 5;          ///< counted failures, then FAILED
-  int max_deaths = 3;           ///< workers lost in a row at the same place, then QUARANTINED; twice that if none was heard
-  int max_deaths_anywhere = 40;  ///< the same without a new checkpoint, wherever they were
+  int max_deaths = 3;            ///< workers lost in a row at the same place, then QUARANTINED; twice that if none was heard
+  int max_deaths_anywhere = 40;  ///< the same wherever they were: no job may take workers for ever
   Millis first_backoff = 1'000;  ///< doubles with every failure
   Millis longest_backoff = 60'000;
 };

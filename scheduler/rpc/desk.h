@@ -46,6 +46,8 @@ class Desk {
   };
   static Result<std::unique_ptr<Desk>> open(std::unique_ptr<Store> store, Options options);
   ~Desk();
+  /// Work posted before waits until then.
+  void start();
 
   /// Either the work's answer or `refused` is called, once. Any thread.
   void post(Need need, Work work, Refusal refused);

@@ -70,14 +70,15 @@ Result<std::unique_ptr<Server>> Server::start(ServerOptions options) {
                  "cannot listen on " + options.listen + " (the system refused), choose another address"};
   }
   serving = state->server.get();
+  state->desk->start();
   const bool is_unix = options.listen.starts_with("unix:");
   state->address = is_unix ? options.listen : options.listen.substr(0, options.listen.rfind(':') + 1) + std::to_string(port);
   return std::unique_ptr<Server>(new Server(std::move(state)));
 }
 
 Server::~Server() {
-  state_->hub.close_all();
-  state_->desk->stop();  // answers held calls; what comes later is refused at once
+  state_->hub.close_all();  // needs the desk
+  state_->desk->stop();     // answers held calls; what comes later is refused at once
   if (state_->server) state_->server->Shutdown(std::chrono::system_clock::now() + kPatience);
 }
 

@@ -83,7 +83,7 @@ Result<StageOutput> FakeStage::operator()(const StageSpec& spec, const std::stri
     if (hooks.on_checkpoint) hooks.on_checkpoint(out.str());
   };
   StageOutput output;
-  for (; step < steps; ++step) {
+  while (step < steps) {
     if (hooks.stop.stop_requested()) {
       save();
       output.result.end = StageEnd::kCancelled;
@@ -92,6 +92,7 @@ Result<StageOutput> FakeStage::operator()(const StageSpec& spec, const std::stri
     if (poison_seed != 0 && spec.seed == poison_seed && spec.kind == StageKind::kRepose && step == steps / 2) std::abort();
     state = mix(state);
     path.push_back(unit(state));
+    ++step;
     if (duration_s > 0) std::this_thread::sleep_for(pause);
     if (hooks.on_progress) {
       hooks.on_progress({"pretending", static_cast<double>(step) / steps, static_cast<std::uint64_t>(step), 1e6});

@@ -17,7 +17,7 @@ namespace regolab::test {
 
 /// Four points of an L4, `stresses` stress tests each; seeds from 1.
 inline std::string l4_yaml(int seeds = 1, const std::string& name = "four points", const std::string& more = "") {
-  return "name: " + name + "\nprofile: quick\nparticles: 60\nseeds: " + std::to_string(seeds) +
+  return "name: " + name + "\nprofile: quick\nparticles: 120\nseeds: " + std::to_string(seeds) +
          "\nfactors:\n  theta_F: [5 degree, 40 degree]\n  N_E: [2, 6]\nfixed:\n  K_N: 5e4 N/m\n  eta_N: 0.5 N s/m\n"
          "  K_T: 5e4 N/m\n  eta_T: 0.5 N s/m\n  L_S: 2 cm\n  rotation: xz\narray: L4\ntests: [settle, repose, stress]\n"
          "stress: {sigma3: [2.5 kPa, 5 kPa]}\n" +

@@ -56,7 +56,8 @@ TEST(Kill, ThirtyRandomKillsChangeNoBit) {
     Lab calm{dir, "calm"};
     const auto submitted = submit_patiently(calm.client, yaml);
     const auto began = std::chrono::steady_clock::now();
-    ASSERT_EQ(calm.client.wait(submitted.experiment(), kLimit).state(), "done");
+    const auto status = calm.client.wait(submitted.experiment(), kLimit);
+    ASSERT_EQ(status.state(), "done") << status.ShortDebugString();
     undisturbed = std::chrono::steady_clock::now() - began;
     expected = calm.client.results_by_key(submitted.experiment());
     calm.stop();

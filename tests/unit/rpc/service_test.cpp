@@ -10,6 +10,7 @@
 #include "digest/sha256.h"
 #include "rpc/convert.h"
 #include "scheduler/rpc/server.h"
+#include "store/database.h"
 #include "support/fake_stage.h"
 #include "support/lab_client.h"
 #include "support/temp_dir.h"
@@ -108,6 +109,19 @@ TEST_F(ServiceTest, AStudyRunsFromSubmissionToTable) {
   ASSERT_EQ(table.rows_size(), 8);
   EXPECT_TRUE(table.rows(0).value_si().contains("repose_angle"));
   EXPECT_TRUE(table.rows(0).value_si().contains("sigma1_at_sigma3_2.5kPa"));
+  auto db = Database::open(dir / "lab.db", Access::kRead);  // the views, as pandas and R read them
+  const auto number = [&](const char* sql) {
+    Statement s = db->prepare(sql);
+    return s.step() ? s.real(0) : -1;
+  };
+  EXPECT_EQ(number("SELECT count(*) FROM responses_wide"), 8);
+  EXPECT_EQ(number("SELECT repose_angle_rad FROM responses_wide WHERE point = 1 AND seed = 1"),
+            table.rows(0).value_si().at("repose_angle"));
+  EXPECT_EQ(number("SELECT sigma1_pa FROM strength WHERE point = 1 AND seed = 1 AND sigma3_pa = 2500"),
+            table.rows(0).value_si().at("sigma1_at_sigma3_2.5kPa"));
+  EXPECT_EQ(number("SELECT count(*) FROM factors WHERE factor = 'theta_F' AND level = '5'"), 2);
+  EXPECT_EQ(number("SELECT count(*) FROM stages WHERE state = 'succeeded' AND stage_end = 'completed'"), 40);
+  EXPECT_EQ(number("SELECT count(DISTINCT sigma3_pa) FROM curves"), 2);
   v1::RangeRequest request;
   request.set_experiment(submitted.experiment());
   request.set_response("repose_angle");
