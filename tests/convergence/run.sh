@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # What do half the step, half the loading rate and twice the clusters change, against the scatter between seeds?
-#   bash tests/convergence/run.sh      runs what is not stored yet (about 20 minutes on 2 cores), rewrites results.csv and table.md
+#   bash tests/convergence/run.sh      runs what is not stored yet (about 15 minutes on 2 cores), rewrites results.csv and table.md
 # Resumes where it stopped: finished stages stay in build/convergence.db.
 set -euo pipefail
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
