@@ -37,8 +37,8 @@ const char* code_of(Ink ink) {
 
 }  // namespace
 
-Console terminal_console(ColourChoice choice) {
-  return {.out = std::cout,
+Console terminal_console(ColourChoice choice, std::ostream& out) {
+  return {.out = out,
           .err = std::cerr,
           .colour_out = wants_colour(choice, STDOUT_FILENO),
           .colour_err = wants_colour(choice, STDERR_FILENO),

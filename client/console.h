@@ -17,8 +17,8 @@ struct Console {
 
 enum class ColourChoice { kAuto, kAlways, kNever };
 
-/// What this process's stdout and stderr are. NO_COLOR and TERM=dumb count as kNever under kAuto.
-Console terminal_console(ColourChoice choice);
+/// What this process's stdout and stderr are; `out` writes to stdout. NO_COLOR and TERM=dumb count as kNever under kAuto.
+Console terminal_console(ColourChoice choice, std::ostream& out);
 
 enum class Ink { kRed, kGreen, kYellow, kBold, kDim };
 

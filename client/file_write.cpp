@@ -18,7 +18,8 @@ Outcome cannot(const std::filesystem::path& path, int error) {
                                              std::strerror(error), remedy));
 }
 
-/// 0, or errno.
+}  // namespace
+
 int write_all(int fd, std::string_view text) {
   while (!text.empty()) {
     const ssize_t n = write(fd, text.data(), text.size());
@@ -26,16 +27,15 @@ int write_all(int fd, std::string_view text) {
     if (n < 0) return errno;
     text.remove_prefix(static_cast<std::size_t>(n));
   }
-  return fsync(fd) == 0 ? 0 : errno;
+  return 0;
 }
-
-}  // namespace
 
 Outcome write_file(const std::filesystem::path& path, std::string_view text) {
   const std::string temporary = fmt::format("{}.part-{}", path.string(), getpid());
   const int fd = open(temporary.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
   if (fd < 0) return cannot(path, errno);
   int error = write_all(fd, text);
+  if (error == 0 && fsync(fd) != 0) error = errno;
   if (close(fd) != 0 && error == 0) error = errno;
   if (error == 0 && std::rename(temporary.c_str(), path.c_str()) != 0) error = errno;
   if (error == 0) return done();

@@ -6,6 +6,7 @@
 
 #include "client/number_text.h"
 #include "client/views/names.h"
+#include "vocab/measurement.h"
 #include "vocab/units.h"
 
 namespace regolab::client {
@@ -248,7 +249,7 @@ Json json_of(const pb::ExportItem& item) {
   out["state"] = item.state();
   out["stage_key"] = item.stage_key();
   out["spec_si"] = spec_of(item.spec());
-  out["end"] = pb::StageEnd_Name(item.result().end());
+  out["end"] = name_of(static_cast<StageEnd>(item.result().end()));
   out["reason"] = item.result().reason();
   out["measurements"] = json_of(item.result().measurements());
   out["numerics"] = json_of(item.result().numerics());

@@ -1,6 +1,7 @@
 #include "client/program.h"
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <cerrno>
 #include <cstring>
@@ -9,6 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include "client/commands/commands.h"
+#include "client/fd_output.h"
 #include "client/interrupt.h"
 #include "client/json_view.h"
 
@@ -53,12 +55,11 @@ void report(const Outcome& outcome, const Arguments& arguments, Console& console
 }
 
 /// A full disk behind stdout must not look like success; a reader that went away (`| head`) is none of our business.
-int flushed(std::ostream& out, int code) {
-  errno = 0;
+int flushed(std::ostream& out, const FdOutput& to, int code) {
   out.flush();
-  if (out.good() || errno == EPIPE) return code;
+  if (to.error() == 0 || to.error() == EPIPE) return code;
   std::cerr << fmt::format("regolab: cannot write the output ({}) make room or write elsewhere\n",
-                           std::strerror(errno != 0 ? errno : EIO));
+                           std::strerror(to.error()));
   return static_cast<int>(Exit::kInternal);
 }
 
@@ -72,15 +73,17 @@ int run_verb(const Arguments& arguments, Console& console) {
 
 int run_program(const std::vector<std::string>& words) {
   watch_signals();
+  FdOutput to(STDOUT_FILENO);
+  std::ostream out(&to);
   const Parsed parsed = parse(words);
   if (parsed.leave) {
-    (parsed.outcome.ok() ? std::cout : std::cerr) << parsed.text;
+    (parsed.outcome.ok() ? out : std::cerr) << parsed.text;
     if (!parsed.outcome.text.empty()) std::cerr << "regolab: " << parsed.outcome.text << "\n";
-    return flushed(std::cout, static_cast<int>(parsed.outcome.exit));
+    return flushed(out, to, static_cast<int>(parsed.outcome.exit));
   }
-  Console console = terminal_console(parsed.arguments.colour);
+  Console console = terminal_console(parsed.arguments.colour, out);
   const int code = run_verb(parsed.arguments, console);
-  return flushed(console.out, code);
+  return flushed(out, to, code);
 }
 
 }  // namespace regolab::client

@@ -27,7 +27,7 @@ std::string running_text(const pb::ExperimentStatus& status) {
     speed += job.sphere_steps_per_s();
   }
   std::string text = fmt::format("{}", fmt::join(parts, ", "));
-  if (speed > 0) text += fmt::format(", {}sphere-steps/s", large_count(speed) + (speed >= 1e4 ? "" : " "));
+  if (speed > 0) text += fmt::format(", {} sphere-steps/s", large_count(speed));
   return text;
 }
 
@@ -60,7 +60,7 @@ std::string progress_text(const pb::ExperimentStatus& status, std::optional<doub
   if (jobs_per_s) text += fmt::format(", {} jobs/min", significant(60 * *jobs_per_s, 2));
   const bool ended = progress.done + progress.failed == progress.total;
   if (!ended && status.workers() == 0)
-    text += ", no workers";
+    text += ", no workers yet";
   else if (!ended && status.remaining_s() >= 0)
     text += fmt::format(", about {} left", duration_text(status.remaining_s()));
   const std::string now = running_text(status);

@@ -65,7 +65,10 @@ Outcome open_session(const Arguments& arguments, Need need, Session& session) {
     if (!running.empty()) return dial(running, session);
   }
   const Embedded::Options options{.programs = program_folder(), .database = session.scratch ? "" : arguments.database};
-  if (auto up = Embedded::start(options, session.embedded); !up.ok()) return up;
+  if (auto up = Embedded::start(options, session.embedded); !up.ok()) {
+    const bool named = session.scratch || up.text.find(arguments.database) != std::string::npos;
+    return named ? up : failed(up.exit, arguments.database + ": " + up.text);
+  }
   session.lab = std::make_unique<Lab>(Lab::Options{.address = session.embedded->address(),
                                                    .stops = {interrupted(), session.embedded->broken()},
                                                    .patience = kEmbeddedPatience});

@@ -10,6 +10,7 @@
 #include "client/json_view.h"
 #include "client/number_text.h"
 #include "client/session.h"
+#include "vocab/measurement.h"
 
 namespace regolab::client {
 namespace {
@@ -57,8 +58,8 @@ class ExportFolder {
     }
     const std::string point = std::to_string(item.point());
     const std::string seed = std::to_string(item.seed());
-    stages_ += csv_line({point, seed, name, item.state(), pb::StageEnd_Name(item.result().end()), item.result().reason(),
-                         item.stage_key(), (inside / (name + ".json")).string()});
+    stages_ += csv_line({point, seed, name, item.state(), std::string(name_of(static_cast<StageEnd>(item.result().end()))),
+                         item.result().reason(), item.stage_key(), (inside / (name + ".json")).string()});
     times_ += csv_line({point, seed, name, shortest(item.wall_s()), std::to_string(item.steps())});
     ++count_;
     return done();

@@ -7,6 +7,7 @@
 
 #include "client/number_text.h"
 #include "client/table_print.h"
+#include "client/views/missing.h"
 #include "client/views/names.h"
 
 namespace regolab::client {
@@ -149,9 +150,11 @@ std::string range_matrix_text(const pb::RangeReply& range) {
   std::string text = table.text();
   text += fmt::format("R = largest less smallest level mean{}; * p < 0.05, ! fragile: leans on one run\n",
                       errors ? ", ± its standard error over seeds" : "");
+  MissingCells missing;
   for (const auto& response : range.responses()) {
-    if (!response.missing().empty()) text += short_name(response.response()) + "\n" + missing_text(response);
+    for (const auto& cell : response.missing()) missing.add(short_name(response.response()), reason_alone(cell), 0);
   }
+  if (!missing.empty()) text += "missing cells are left out, not filled\n" + missing.text("");
   return text;
 }
 

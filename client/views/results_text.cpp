@@ -8,6 +8,7 @@
 
 #include "client/number_text.h"
 #include "client/table_print.h"
+#include "client/views/missing.h"
 #include "client/views/names.h"
 #include "vocab/units.h"
 
@@ -164,14 +165,13 @@ std::string comparison_text(const pb::CompareArticleReply& comparison, bool cell
   for (int first = 0; cells && first < comparison.responses_size(); first += kResponsesAcross) {
     text += "\n" + cells_text(comparison, first, std::min(first + kResponsesAcross, comparison.responses_size()));
   }
-  std::map<std::string, std::vector<int>> missing;  // reason -> tests
+  MissingCells missing;
   for (const auto& response : comparison.responses()) {
     for (const auto& cell : response.cells()) {
-      if (!cell.missing().empty()) missing[short_name(response.response()) + ": " + cell.missing()].push_back(cell.test());
+      if (!cell.missing().empty()) missing.add(short_name(response.response()), reason_alone(cell.missing()), cell.test());
     }
   }
-  if (!missing.empty()) text += "missing (-)\n";
-  for (const auto& [why, tests] : missing) text += fmt::format("  {} (tests {})\n", why, fmt::join(tests, ", "));
+  if (!missing.empty()) text += "missing (-)\n" + missing.text("tests");
   for (const auto& note : comparison.notes()) text += "note: " + note + "\n";
   return text;
 }

@@ -79,10 +79,10 @@ std::string status_text(const pb::ExperimentStatus& status) {
       status.jobs().failed(), status.jobs().skipped(), status.jobs().quarantined(), status.jobs().cancelled());
   if (status.jobs().unphysical() > 0)
     text += fmt::format("           {} ended with a reason instead of numbers\n", status.jobs().unphysical());
-  text += fmt::format("time       {} so far", duration_text(status.elapsed_s()));
+  text += fmt::format("time       {}", duration_text(status.elapsed_s()));
   if (status.state() == "running") {
-    text += status.remaining_s() >= 0 ? fmt::format(", about {} left", duration_text(status.remaining_s()))
-                                      : ", time left not known yet";
+    text += status.remaining_s() >= 0 ? fmt::format(" so far, about {} left", duration_text(status.remaining_s()))
+                                      : " so far, time left not known yet";
     text += fmt::format(", {} workers", status.workers());
   }
   text += "\n";

@@ -27,7 +27,7 @@ class BadDesign : public Programs {
 
 TEST_F(BadDesign, UnknownKeyGetsASuggestion) {
   const std::string said = refusal(spoiled(good_design(), "  K_N: 5e4", "  K_M: 5e4"));
-  EXPECT_THAT(said, HasSubstr("a.yaml:10:3: unknown key 'K_M'"));
+  EXPECT_THAT(said, HasSubstr("a.yaml:10:3: unknown key 'fixed.K_M'"));
   EXPECT_THAT(said, HasSubstr("did you mean 'K_N'?"));
   EXPECT_THAT(said, HasSubstr("  K_M: 5e4 N/m\n    ^"));
 }

@@ -111,7 +111,7 @@ TEST_F(BadWorld, AServerThatIsNoScheduler) {
   const TakenPort taken;  // accepts and never speaks
   const Ran ran = shell(fmt::format("timeout 60 $regolab status --server 127.0.0.1:{}", taken.port()));
   EXPECT_EQ(ran.code, 4) << ran.err;
-  EXPECT_THAT(ran.err, HasSubstr("no answer within"));
+  EXPECT_THAT(ran.err, HasSubstr(fmt::format("no scheduler at 127.0.0.1:{} (", taken.port())));
 }
 
 TEST_F(BadWorld, AFullDiskBehindStdout) {

@@ -15,7 +15,7 @@
 namespace regolab::test {
 namespace {
 
-using Json = nlohmann::json;
+using Json = nlohmann::ordered_json;  // as the file lists them
 
 /// What one observable may differ by: the larger of this and twice the combined scatter of the two means.
 struct Tolerance {

@@ -58,7 +58,7 @@ double mean_stress_ratio(const StageResult& result, const std::string& sigma3_te
 
 }  // namespace
 
-StageSpec spec_of(const nlohmann::json& test, std::uint64_t seed) {
+StageSpec spec_of(const nlohmann::ordered_json& test, std::uint64_t seed) {
   const auto& micro = test.at("micro");
   StageSpec spec{.kind = StageKind::kSettle, .seed = seed};
   spec.micro = {.friction_angle = micro.at("theta_F").get<double>() * kDegree,

@@ -16,6 +16,7 @@ class Repose final : public Test {
   StageResult result(const Ending& ending) const override;
   std::string_view phase() const override { return "collapse"; }
   double fraction() const override;
+  std::int64_t steps() const override { return started_ ? bed_.world.step - start_step_ : 0; }
   Bed& bed() override { return bed_; }
   void save(dem::Saver& saver) override { archive(saver); }
   void load(dem::Loader& loader) override { archive(loader); }

@@ -16,6 +16,7 @@ class Settle final : public Test {
   StageResult result(const Ending& ending) const override;
   std::string_view phase() const override { return quenching_ ? "damping out" : "sedimentation"; }
   double fraction() const override;
+  std::int64_t steps() const override { return bed_.world.step; }
   Bed& bed() override { return bed_; }
   void save(dem::Saver& saver) override { archive(saver); }
   void load(dem::Loader& loader) override { archive(loader); }

@@ -32,6 +32,7 @@ class Stress final : public Test {
   StageResult result(const Ending& ending) const override;
   std::string_view phase() const override;
   double fraction() const override;
+  std::int64_t steps() const override { return started_ ? bed_.world.step - start_step_ : 0; }
   Bed& bed() override { return bed_; }
   void save(dem::Saver& saver) override { archive(saver); }
   void load(dem::Loader& loader) override { archive(loader); }

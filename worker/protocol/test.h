@@ -1,5 +1,6 @@
 /// What all protocols have in common: they advance look by look, can be saved between looks, and end with a result.
 #pragma once
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -25,6 +26,7 @@ class Test {
   virtual StageResult result(const Ending& ending) const = 0;
   virtual std::string_view phase() const = 0;
   virtual double fraction() const = 0;  ///< of the whole, 0 to 1, an estimate
+  virtual std::int64_t steps() const = 0;  ///< of this test so far, over all its resumes
   virtual Bed& bed() = 0;
   virtual void save(dem::Saver& saver) = 0;
   virtual void load(dem::Loader& loader) = 0;

@@ -39,7 +39,7 @@ class Runner {
 
   protocol::Ending run() {
     start_ = told_ = checkpointed_ = Clock::now();
-    first_step_ = test_.bed().world.step;
+    steps_before_ = test_.steps();
     while (true) {
       if (hooks_.stop.stop_requested()) {
         give_checkpoint();
@@ -50,14 +50,14 @@ class Runner {
       if (seconds_since(checkpointed_) > hooks_.checkpoint_every_s) give_checkpoint();
     }
   }
-  std::uint64_t steps() { return static_cast<std::uint64_t>(test_.bed().world.step - first_step_); }
 
  private:
   void tell() {
     told_ = Clock::now();
     if (!hooks_.on_progress) return;
     const double spheres = test_.bed().world.spheres.count();
-    hooks_.on_progress({test_.phase(), test_.fraction(), steps(), static_cast<double>(steps()) * spheres / seconds_since(start_)});
+    const auto now = static_cast<double>(test_.steps() - steps_before_);
+    hooks_.on_progress({test_.phase(), test_.fraction(), static_cast<std::uint64_t>(test_.steps()), now * spheres / seconds_since(start_)});
   }
   void give_checkpoint() {
     checkpointed_ = Clock::now();
@@ -71,7 +71,7 @@ class Runner {
   const StageHooks& hooks_;
   protocol::Test& test_;
   Clock::time_point start_, told_, checkpointed_;
-  std::int64_t first_step_ = 0;
+  std::int64_t steps_before_ = 0;  ///< made before this resume
 };
 
 Result<void> resume(const StageSpec& spec, const std::string& checkpoint, protocol::Test& test) {
@@ -106,7 +106,7 @@ StageOutput run_test(const StageSpec& spec, const StageHooks& hooks, protocol::T
   const protocol::Ending ending = runner.run();
   StageOutput out;
   out.result = test.result(ending);
-  out.steps = runner.steps();
+  out.steps = static_cast<std::uint64_t>(test.steps());
   if (ending.end == StageEnd::kCancelled) return out;
   std::string bytes = bed_bytes(spec, test.bed());
   (spec.kind == StageKind::kSettle ? out.bed : out.final_state) = std::move(bytes);

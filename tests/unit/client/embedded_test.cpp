@@ -63,7 +63,9 @@ TEST_F(EmbeddedTest, StartsASchedulerOnAPrivateSocketAndLeavesNothingBehind) {
 }
 
 TEST_F(EmbeddedTest, ARefusalIsPassedOnWithItsWordsAndItsCode) {
-  program("regolab-scheduler", "echo '[info] opening' >&2; echo 'regolab-scheduler: a.db: version 9 (newer than this program) update it' >&2; exit 3\n");
+  program("regolab-scheduler",
+          "echo '[info] opening' >&2; echo 'regolab-scheduler: a.db: version 9 (newer than this program) update it' >&2; "
+          "exit 3\n");
   std::unique_ptr<Embedded> embedded;
   const Outcome outcome = Embedded::start(options(), embedded);
   EXPECT_EQ(outcome.exit, Exit::kInvalidInput);

@@ -23,7 +23,7 @@ struct HandClock {
 TEST(Progress, SaysDoneRunningFailedRateTimeLeftAndPhase) {
   EXPECT_EQ(progress_text(sample_status(), 0.5, 200),
             "sample  37/224 done, 2 running, 0 failed, 30 jobs/min, about 12 min left | settle sedimentation 43 %, 8.4 "
-            "Msphere-steps/s");
+            "M sphere-steps/s");
 }
 
 TEST(Progress, SaysWhenNobodyWorks) {
