@@ -55,8 +55,9 @@ int main(int argc, char** argv) {
   }
   spdlog::set_default_logger(spdlog::stderr_logger_mt("scheduler"));
   if (exit_with_parent) {
+    const pid_t parent = getppid();
     prctl(PR_SET_PDEATHSIG, SIGTERM);
-    if (getppid() == 1) return 0;  // it died before we asked
+    if (getppid() != parent) return 0;  // it died before we asked
   }
   sigset_t stop;
   sigemptyset(&stop);

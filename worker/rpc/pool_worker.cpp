@@ -37,8 +37,9 @@ sigset_t stop_signals() {
 int serve_with(const ServeOptions& options, StageFunction run) {
   spdlog::set_default_logger(spdlog::stderr_logger_mt("worker"));
   if (options.exit_with_parent) {
+    const pid_t parent = getppid();
     prctl(PR_SET_PDEATHSIG, SIGTERM);
-    if (getppid() == 1) return 0;  // it died before we asked
+    if (getppid() != parent) return 0;  // it died before we asked
   }
   const sigset_t set = stop_signals();
   pthread_sigmask(SIG_BLOCK, &set, nullptr);  // inherited by every thread below

@@ -18,6 +18,7 @@ constexpr std::chrono::seconds kEarly{2};
 constexpr std::chrono::seconds kFarewell{5};  // a leaving worker waits so long for an absent scheduler
 constexpr std::chrono::milliseconds kLongestBackoff{2000};
 constexpr std::size_t kBedsKept = 4;
+constexpr std::size_t kLargestReport = (4U << 20) - 65536;  // what a scheduler takes in one message, less what is around it
 
 v1::JobError to_job_error(const Error& error) {
   v1::JobError out;
@@ -128,6 +129,11 @@ void Session::end_stage() {
     finished.set_bed(outcome.bed);
     finished.set_wall_s(outcome.output->wall_s);
     finished.set_steps(outcome.output->steps);
+    if (const std::size_t size = finished.ByteSizeLong(); size > kLargestReport) {  // it would be refused for ever
+      finished.mutable_error()->set_class_(v1::ERROR_PERMANENT);
+      finished.mutable_error()->set_text("result too large (" + std::to_string(size) + " bytes, at most " +
+                                         std::to_string(kLargestReport) + "), store fewer curve points");
+    }
     spdlog::info("job {}: {} after {:.1f} s", job_, name_of(outcome.output->result.end), outcome.output->wall_s);
   }
 }
