@@ -1,10 +1,15 @@
 #include "scheduler/rpc/result_table.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <string_view>
 #include <utility>
 
 #include "scheduler/design/expand.h"
+#include "vocab/units.h"
 
 namespace regolab {
 namespace {
@@ -46,6 +51,24 @@ std::string missing_why(const std::vector<const StoredStage*>& stages, const std
   return "not asked for";
 }
 
+/// Every parameter of a material by the name designs give it, in the article's units ("1.63 m/s2").
+std::map<std::string, std::string> parameters_of(const Micro& m) {
+  constexpr std::array<std::string_view, 4> kRotations = {"none", "x", "z", "xz"};
+  const bool ratio = m.damping_unit == DampingUnit::kRatio;
+  const auto eta = [&](double value) { return fmt::format("{:.10g}{}", value, ratio ? "" : " N s/m"); };
+  return {{"theta_F", fmt::format("{:.10g} deg", m.friction_angle / kDegree)},
+          {"K_N", fmt::format("{:.10g} N/m", m.normal_stiffness)},
+          {"eta_N", eta(m.normal_damping)},
+          {"K_T", fmt::format("{:.10g} N/m", m.tangential_stiffness)},
+          {"eta_T", eta(m.tangential_damping)},
+          {"L_S", fmt::format("{:.10g} cm", m.largest_diameter * door_unit("m").factor)},
+          {"N_E", m.kind == ParticleKind::kMixture ? "mixture" : std::to_string(static_cast<int>(m.kind))},
+          {"rotation", std::string(kRotations[static_cast<std::size_t>(m.rotation)])},
+          {"damping_unit", ratio ? "ratio" : "absolute"},
+          {"particle_density", fmt::format("{:.10g} g/cm3", m.grain_density * door_unit("kg/m3").factor)},
+          {"gravity", fmt::format("{:.10g} m/s2", m.gravity)}};
+}
+
 }  // namespace
 
 Result<NamedTable> result_table(Reader& reader, const std::string& label) {
@@ -59,6 +82,10 @@ Result<NamedTable> result_table(Reader& reader, const std::string& label) {
   NamedTable out{{.experiment = label, .array = design->array, .factors = design->factors, .responses = {}, .rows = {}},
                  design->name};
   for (const ResponseRecord& r : design->responses) out.table.responses.push_back({r.id, r.unit});
+  if (!stages->empty()) {  // what is no factor is the same in every stage
+    out.table.fixed = parameters_of(stages->front().record.identity.spec.micro);
+    for (const TableFactor& factor : out.table.factors) out.table.fixed.erase(factor.name);
+  }
   std::map<Cell, std::vector<const StoredStage*>> by_cell;
   for (const StoredStage& stage : *stages) by_cell[{stage.link.point, stage.link.seed}].push_back(&stage);
   std::map<Cell, std::map<std::string, double>> values;

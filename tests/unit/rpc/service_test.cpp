@@ -151,6 +151,20 @@ TEST_F(ServiceTest, TheSameStudyAgainRunsNothing) {
   EXPECT_EQ(larger.summary().dem_jobs(), 16U);
 }
 
+TEST_F(ServiceTest, AStudyAtAnotherGravityIsNotComparedWithTheArticle) {
+  std::string design = l4_yaml(1);
+  design.insert(design.find("fixed:\n") + 7, "  gravity: 9.8 m/s2\n");
+  const auto submitted = client->submit(design);
+  ASSERT_FALSE(submitted.experiment().empty());
+  v1::CompareArticleRequest request;
+  request.set_experiment(submitted.experiment());
+  v1::CompareArticleReply reply;
+  grpc::ClientContext context;
+  const auto status = client->results->CompareArticle(&context, request, &reply);
+  EXPECT_EQ(status.error_code(), grpc::StatusCode::FAILED_PRECONDITION);
+  EXPECT_THAT(status.error_message(), HasSubstr("gravity 9.8 m/s2 (the article has 1.63 m/s2)"));
+}
+
 TEST_F(ServiceTest, ARepeatedRequestIdIsTheSameExperiment) {
   const auto first = client->submit(l4_yaml(1), "mine");
   const auto again = client->submit(l4_yaml(1), "mine");  // as after a lost answer
