@@ -24,6 +24,9 @@ build/bin/regolab run client/examples/article-l32.yaml --profile quick --db "$da
 # 5: the study ended and some cells have a reason instead of a number; there is still something to show.
 [ "$code" = 0 ] || [ "$code" = 5 ] || exit "$code"
 
+step "range analysis, response by response"
+build/bin/regolab range last --db "$database" 2>/dev/null || true
+
 step "our results beside the article's"
 build/bin/regolab article compare last --db "$database" 2>/dev/null || true
 
