@@ -3,6 +3,7 @@
 #include <google/protobuf/util/json_util.h>
 
 #include <algorithm>
+#include <set>
 
 #include "scheduler/rpc/persist.h"
 
@@ -54,9 +55,11 @@ void add_failure(const JobQueue::Job& job, const JobLink& link, v1::ExperimentSt
 /// Work left over workers; nothing is known before each kind of stage left has been measured once.
 double remaining_s(const JobQueue::Experiment& experiment, const Desk::Turn& turn, std::size_t workers) {
   double work = 0, longest = 0;
+  std::set<JobId> seen;  // points may share a stage
   for (const std::size_t i : experiment.links) {
-    const JobQueue::Job& job = *turn.queue.find(turn.queue.links()[i].job);
-    if (is_final(job.status.state)) continue;
+    const JobId id = turn.queue.links()[i].job;
+    const JobQueue::Job& job = *turn.queue.find(id);
+    if (is_final(job.status.state) || !seen.insert(id).second) continue;
     const auto expected = turn.book.expected_s(job.identity.spec);
     if (!expected) return -1;
     const double left = *expected * (1 - job.progress.fraction);
@@ -78,6 +81,7 @@ v1::ExperimentStatus status_of(ExperimentId id, const Desk::Turn& turn) {
   out.set_name(record->name);
   out.set_state(std::string(name_of(experiment->state)));
   const bool cancelled = experiment->state == ExperimentState::kCancelled;
+  std::set<JobId> shown;
   for (const std::size_t i : experiment->links) {
     const JobLink& link = turn.queue.links()[i];
     const JobQueue::Job& job = *turn.queue.find(link.job);
@@ -86,7 +90,7 @@ v1::ExperimentStatus status_of(ExperimentId id, const Desk::Turn& turn) {
       continue;
     }
     count(job, link, *out.mutable_jobs());
-    if (job.status.state == JobState::kLeased) add_running(job, link, out);
+    if (job.status.state == JobState::kLeased && shown.insert(link.job).second) add_running(job, link, out);
     add_failure(job, link, out);
   }
   const std::size_t workers = turn.queue.workers(turn.now, kIdleWorkersSpeak);
