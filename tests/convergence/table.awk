@@ -24,14 +24,14 @@ function change(p, base, r,   d, e) {
   if (!n[p, r] || !n[base, r]) return "not measured"
   d = mean(p, r) - mean(base, r)
   e = sqrt(deviation(p, r) ^ 2 / n[p, r] + deviation(base, r) ^ 2 / n[base, r])
-  return sprintf("%+.3g ± %.2g%s", d, e, (d < 0 ? -d : d) > deviation(base, r) ? " !" : "")
+  return sprintf("%+.3g ± %.2g%s", d, e, (d < 0 ? -d : d) > 2 * e && (d < 0 ? -d : d) > deviation(base, r) ? " !" : "")
 }
 END {
   print "# What the numerics change"
   print ""
   print "Made by `bash tests/convergence/run.sh` (profile `quick`, 300 clusters, L_S 1 cm, K 5e4 N/m, eta 0.5 N s/m, rotation xz, 6 seeds)."
   print "Scatter = standard deviation between seeds. Changes are variant less base, ± their standard error; `!` marks a change larger than"
-  print "the scatter of one seed."
+  print "the scatter of one seed and than twice its own standard error."
   for (m = 1; m <= 3; m++) {
     base = 4 * m - 3
     print ""
