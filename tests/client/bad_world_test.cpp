@@ -50,11 +50,11 @@ class TakenPort {
 };
 
 TEST_F(BadWorld, NobodyAtTheServerAddress) {
-  const Ran ran = regolab("submit a.yaml --server localhost:1");
+  const Ran ran = regolab("submit a.yaml --server 127.0.0.1:1");
   EXPECT_EQ(ran.code, 4);
-  EXPECT_THAT(ran.err, HasSubstr("no scheduler at localhost:1 ("));
+  EXPECT_THAT(ran.err, HasSubstr("no scheduler at 127.0.0.1:1 ("));
   EXPECT_THAT(ran.err, HasSubstr("Connection refused"));
-  EXPECT_THAT(ran.err, HasSubstr("regolab-scheduler --db FILE --listen localhost:1"));
+  EXPECT_THAT(ran.err, HasSubstr("regolab-scheduler --db FILE --listen 127.0.0.1:1"));
 }
 
 TEST_F(BadWorld, AServerAddressThatIsNone) {
