@@ -75,19 +75,26 @@ Outcome finish(const Arguments& arguments, Session& session, const pb::Experimen
   return verdict_of(status);
 }
 
+/// The design read, a session opened for it and the scheduler's approval in `reply`; not ok when anything was refused.
+Outcome read_and_open(const Arguments& arguments, Console& console, pb::SubmitRequest& request, Session& session,
+                      pb::SubmitReply& reply) {
+  std::vector<Diagnostic> diagnostics;
+  if (auto read = read_design_source(arguments, request, diagnostics); !read.ok()) {
+    return diagnostics.empty() ? read : rejected(diagnostics, arguments, console);
+  }
+  if (auto opened = open_for(arguments, request, session, reply); !opened.ok()) return opened;
+  if (!reply.diagnostics().empty()) return rejected(from_proto(reply.diagnostics()), arguments, console);
+  return done();
+}
+
 }  // namespace
 
 Outcome run_study(const Arguments& arguments, Console& console) {
   if (arguments.dry_run) return show_design(arguments, console);
   pb::SubmitRequest request;
-  std::vector<Diagnostic> diagnostics;
-  if (auto read = read_design_source(arguments, request, diagnostics); !read.ok()) {
-    return diagnostics.empty() ? read : rejected(diagnostics, arguments, console);
-  }
   Session session;
   pb::SubmitReply reply;
-  if (auto opened = open_for(arguments, request, session, reply); !opened.ok()) return opened;
-  if (!reply.diagnostics().empty()) return rejected(from_proto(reply.diagnostics()), arguments, console);
+  if (auto ready = read_and_open(arguments, console, request, session, reply); !ready.ok()) return ready;
   console.err << summary_text(reply.summary()) << std::endl;
   if (auto in = hand_in(arguments, request, session, console, reply); !in.ok()) return in;
 
@@ -105,14 +112,9 @@ Outcome run_study(const Arguments& arguments, Console& console) {
 
 Outcome submit(const Arguments& arguments, Console& console) {
   pb::SubmitRequest request;
-  std::vector<Diagnostic> diagnostics;
-  if (auto read = read_design_source(arguments, request, diagnostics); !read.ok()) {
-    return diagnostics.empty() ? read : rejected(diagnostics, arguments, console);
-  }
   Session session;
   pb::SubmitReply reply;
-  if (auto opened = open_for(arguments, request, session, reply); !opened.ok()) return opened;
-  if (!reply.diagnostics().empty()) return rejected(from_proto(reply.diagnostics()), arguments, console);
+  if (auto ready = read_and_open(arguments, console, request, session, reply); !ready.ok()) return ready;
   if (auto in = hand_in(arguments, request, session, console, reply); !in.ok()) return in;
   if (arguments.json) {
     Json out = document("submit");

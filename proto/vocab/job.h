@@ -32,16 +32,6 @@ inline constexpr std::string_view kJobStateNames[] = {"blocked", "ready",   "lea
                                                       "failed",  "skipped", "cancelled", "quarantined"};
 inline std::string_view name_of(JobState state) { return kJobStateNames[static_cast<int>(state)]; }
 
-inline std::string_view name_of(StageKind kind) {
-  switch (kind) {
-    case StageKind::kSettle: return "settle";
-    case StageKind::kFabric: return "fabric";
-    case StageKind::kRepose: return "repose";
-    case StageKind::kStress: return "stress";
-  }
-  return "unknown";
-}
-
 /// What never changes of a job.
 struct JobIdentity {
   JobId id{};

@@ -2,6 +2,7 @@
 #pragma once
 #include <cstdint>
 #include <string>
+#include <string_view>
 
 #include "vocab/micro.h"
 
@@ -16,6 +17,16 @@ enum class StageKind {
   kRepose = 2,  ///< angle of repose
   kStress = 3,  ///< stress test at one confining pressure
 };
+
+inline std::string_view name_of(StageKind kind) {
+  switch (kind) {
+    case StageKind::kSettle: return "settle";
+    case StageKind::kFabric: return "fabric";
+    case StageKind::kRepose: return "repose";
+    case StageKind::kStress: return "stress";
+  }
+  return "unknown";
+}
 
 /// What a profile decides, written out. Zero stiffness number = the true stiffness; zero mass floor = true masses.
 struct Numerics {

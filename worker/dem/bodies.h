@@ -65,6 +65,12 @@ int add_cluster(const ClusterSpec& spec, Bodies& bodies, Spheres& spheres);
 /// Rotation matrix of a body, row major: space = R * principal.
 std::array<double, 9> rotation_of(const Bodies& bodies, int body);
 
+/// Velocity of the point that lies (ax, ay, az) from the centre of mass of body i [m/s].
+inline Vec3 point_velocity(const Bodies& b, std::size_t i, double ax, double ay, double az) {
+  return {b.vx[i] + (b.wy[i] * az - b.wz[i] * ay), b.vy[i] + (b.wz[i] * ax - b.wx[i] * az),
+          b.vz[i] + (b.wx[i] * ay - b.wy[i] * ax)};
+}
+
 /// All spheres to where their clusters are.
 void place_spheres(const Bodies& bodies, Spheres& spheres);
 

@@ -7,12 +7,6 @@
 namespace regolab::dem {
 namespace {
 
-/// Velocity of the point at `arm` from the centre of mass of body i.
-Vec3 point_velocity(const Bodies& b, std::size_t i, double ax, double ay, double az) {
-  return {b.vx[i] + (b.wy[i] * az - b.wz[i] * ay), b.vy[i] + (b.wz[i] * ax - b.wx[i] * az),
-          b.vz[i] + (b.wx[i] * ay - b.wy[i] * ax)};
-}
-
 void push(Bodies& b, std::size_t i, double fx, double fy, double fz, double ax, double ay, double az) {
   b.fx[i] += fx;
   b.fy[i] += fy;

@@ -17,11 +17,11 @@ REGOLAB_INLINE Quaternion normalised(const Quaternion& q) {
   return {q.w * scale, q.x * scale, q.y * scale, q.z * scale};
 }
 
-/// q + h (w q) / 2, with w the angular velocity in space.
-REGOLAB_INLINE Quaternion turned(const Quaternion& q, double wx, double wy, double wz, double h) {
+/// q + h (w at) / 2, normalised, with w the angular velocity in space and `at` the turn where the rate is taken.
+REGOLAB_INLINE Quaternion turned(const Quaternion& q, const Quaternion& at, double wx, double wy, double wz, double h) {
   const double k = 0.5 * h;
-  return normalised({q.w + k * (-wx * q.x - wy * q.y - wz * q.z), q.x + k * (wx * q.w + wy * q.z - wz * q.y),
-                     q.y + k * (wy * q.w + wz * q.x - wx * q.z), q.z + k * (wz * q.w + wx * q.y - wy * q.x)});
+  return normalised({q.w + k * (-wx * at.x - wy * at.y - wz * at.z), q.x + k * (wx * at.w + wy * at.z - wz * at.y),
+                     q.y + k * (wy * at.w + wz * at.x - wx * at.z), q.z + k * (wz * at.w + wx * at.y - wy * at.x)});
 }
 
 /// w = R I^-1 R^T L, for the body's principal inverse inertia (jx, jy, jz).
@@ -70,14 +70,9 @@ REGOLAB_HOT void turn(double keep, double dt, Bodies& bodies) {
     const Quaternion q{qw[i], qx[i], qy[i], qz[i]};
     double ax, ay, az;
     angular_velocity(q, jx[i], jy[i], jz[i], lx[i], ly[i], lz[i], ax, ay, az);
-    const Quaternion half = turned(q, ax, ay, az, 0.5 * dt);
+    const Quaternion half = turned(q, q, ax, ay, az, 0.5 * dt);
     angular_velocity(half, jx[i], jy[i], jz[i], lx[i], ly[i], lz[i], ax, ay, az);
-    // w(middle) turns q(start) into q(end): the step of the midpoint rule, q + dt (w q_half)/2.
-    const double k = 0.5 * dt;
-    const Quaternion end = normalised({q.w + k * (-ax * half.x - ay * half.y - az * half.z),
-                                       q.x + k * (ax * half.w + ay * half.z - az * half.y),
-                                       q.y + k * (ay * half.w + az * half.x - ax * half.z),
-                                       q.z + k * (az * half.w + ax * half.y - ay * half.x)});
+    const Quaternion end = turned(q, half, ax, ay, az, dt);  // the midpoint rule
     qw[i] = end.w, qx[i] = end.x, qy[i] = end.y, qz[i] = end.z;
     wx[i] = ax, wy[i] = ay, wz[i] = az;
   }

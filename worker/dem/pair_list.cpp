@@ -30,20 +30,6 @@ void near_clusters(const Bodies& b, const CellGrid& grid, double skin, int i, st
   std::sort(found.begin(), found.end());
 }
 
-/// Both lists are in canonical order: one merge carries the springs over.
-void carry_over(const PairList& old, std::int64_t step, PairList& fresh) {
-  std::size_t k = 0;
-  for (std::size_t n = 0; n < fresh.a.size(); ++n) {
-    while (k < old.a.size() && (old.a[k] < fresh.a[n] || (old.a[k] == fresh.a[n] && old.b[k] < fresh.b[n]))) ++k;
-    if (k == old.a.size()) return;
-    if (old.a[k] != fresh.a[n] || old.b[k] != fresh.b[n] || old.history.touched[k] + 1 < step) continue;
-    fresh.history.sx[n] = old.history.sx[k];
-    fresh.history.sy[n] = old.history.sy[k];
-    fresh.history.sz[n] = old.history.sz[k];
-    fresh.history.touched[n] = old.history.touched[k];
-  }
-}
-
 }  // namespace
 
 void History::assign(std::size_t slots) {
@@ -51,6 +37,23 @@ void History::assign(std::size_t slots) {
   sy.assign(slots, 0.0);
   sz.assign(slots, 0.0);
   touched.assign(slots, -2);
+}
+
+void carry_over(const ListKeys& old_keys, const History& old, const ListKeys& fresh_keys, std::int64_t step, History& fresh) {
+  std::size_t k = 0;
+  for (std::size_t n = 0; n < fresh_keys.first.size(); ++n) {
+    const auto first = fresh_keys.first[n], second = fresh_keys.second[n];
+    while (k < old_keys.first.size() &&
+           (old_keys.first[k] < first || (old_keys.first[k] == first && old_keys.second[k] < second))) {
+      ++k;
+    }
+    if (k == old_keys.first.size()) return;
+    if (old_keys.first[k] != first || old_keys.second[k] != second || old.touched[k] + 1 < step) continue;
+    fresh.sx[n] = old.sx[k];
+    fresh.sy[n] = old.sy[k];
+    fresh.sz[n] = old.sz[k];
+    fresh.touched[n] = old.touched[k];
+  }
 }
 
 void build_pairs(const Bodies& bodies, const Spheres& spheres, double skin, std::int64_t step, CellGrid& grid, PairList& pairs) {
@@ -86,7 +89,7 @@ void build_pairs(const Bodies& bodies, const Spheres& spheres, double skin, std:
         spheres.radius[static_cast<std::size_t>(fresh.a[k])] + spheres.radius[static_cast<std::size_t>(fresh.b[k])];
   }
   fresh.history.assign(n);
-  carry_over(pairs, step, fresh);
+  carry_over({pairs.a, pairs.b}, pairs.history, {fresh.a, fresh.b}, step, fresh.history);
   pairs = std::move(fresh);
 }
 

@@ -19,6 +19,14 @@ struct History {
   void archive(A& ar) { ar(sx, sy, sz, touched); }
 };
 
+/// Carries springs of the step before from one list to its successor. Both lists are in canonical order by (first, second), so
+/// one merge does it; `fresh` must have its slots assigned.
+struct ListKeys {
+  const std::vector<std::int32_t>& first;
+  const std::vector<std::int32_t>& second;
+};
+void carry_over(const ListKeys& old_keys, const History& old, const ListKeys& fresh_keys, std::int64_t step, History& fresh);
+
 struct PairList {
   std::vector<std::int32_t> a, b;            // [n_pairs] sphere indices, a < b
   std::vector<double> sum_of_radii;          // [n_pairs] [m]

@@ -43,16 +43,7 @@ void build_wall_list(const Bodies& bodies, const Spheres& spheres, double skin, 
   }
   History history;
   history.assign(sphere.size());
-  std::size_t k = 0;
-  for (std::size_t n = 0; n < sphere.size(); ++n) {
-    while (k < walls.sphere.size() && (walls.id[k] < id[n] || (walls.id[k] == id[n] && walls.sphere[k] < sphere[n]))) ++k;
-    if (k == walls.sphere.size()) break;
-    if (walls.id[k] != id[n] || walls.sphere[k] != sphere[n] || walls.history.touched[k] + 1 < step) continue;
-    history.sx[n] = walls.history.sx[k];
-    history.sy[n] = walls.history.sy[k];
-    history.sz[n] = walls.history.sz[k];
-    history.touched[n] = walls.history.touched[k];
-  }
+  carry_over({walls.id, walls.sphere}, walls.history, {id, sphere}, step, history);
   walls.sphere = std::move(sphere);
   walls.id = std::move(id);
   walls.history = std::move(history);

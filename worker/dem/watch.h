@@ -18,7 +18,7 @@ double unbalanced_force_ratio(const World& world);
 /// Largest overlap over the smaller radius of its contact, walls included.
 double deepest_overlap(const World& world);
 
-/// Contact force sizes of the last step on one body, summed, and their vertical part [N].
+/// Sum of the last step's contact forces on one body [N].
 Vec3 contact_force_on(const World& world, int body);
 
 bool finite(const World& world);

@@ -19,15 +19,7 @@ std::vector<StageSpec> stages_of(const Job& job) {
   return stages;
 }
 
-std::string stage_name(StageKind kind) {
-  switch (kind) {
-    case StageKind::kSettle: return "settle";
-    case StageKind::kFabric: return "fabric";
-    case StageKind::kRepose: return "repose";
-    case StageKind::kStress: return "stress";
-  }
-  return "unknown";
-}
+std::string stage_name(StageKind kind) { return std::string(name_of(kind)); }
 
 std::string job_key(const Job& job) {
   std::string keys;

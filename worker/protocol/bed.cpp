@@ -52,7 +52,6 @@ std::string generate_bed(const StageSpec& spec, Bed& bed) {
   bed.micro = spec.micro;
   bed.length = base.length;
   bed.width = base.width;
-  bed.mass_floor = spec.numerics.mass_floor;
   bed.step_fraction = spec.numerics.step_fraction;
   const generate::Random random(spec.seed);
   const auto diameters = generate::parent_diameters(spec.numerics.clusters, spec.micro.largest_diameter, random);

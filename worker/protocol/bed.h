@@ -13,7 +13,6 @@ struct Bed {
   double length = 0;          ///< L of the box
   double width = 0;           ///< W of the box
   double solid_volume = 0;    ///< V_P, of all clusters [m3]
-  double mass_floor = 0;
   double step_fraction = 0.15;
 
   double mean_diameter() const { return 0.6 * micro.largest_diameter; }
@@ -24,7 +23,7 @@ struct Bed {
   void archive(A& ar) {
     ar(world, micro.friction_angle, micro.normal_stiffness, micro.normal_damping, micro.tangential_stiffness,
        micro.tangential_damping, micro.largest_diameter, micro.kind, micro.rotation, micro.damping_unit, micro.grain_density,
-       micro.gravity, length, width, solid_volume, mass_floor, step_fraction);
+       micro.gravity, length, width, solid_volume, step_fraction);
   }
 };
 

@@ -12,11 +12,10 @@ namespace {
 void add_spheres(const dem::World& w, BedView& view) {
   for (std::size_t i = 0; i < w.spheres.x.size(); ++i) {
     const auto b = static_cast<std::size_t>(w.spheres.body[i]);
-    const double ax = w.spheres.x[i] - w.bodies.x[b], ay = w.spheres.y[i] - w.bodies.y[b], az = w.spheres.z[i] - w.bodies.z[b];
-    view.spheres.push_back({w.spheres.body[i], w.spheres.x[i], w.spheres.y[i], w.spheres.z[i], w.spheres.radius[i],
-                            w.bodies.vx[b] + w.bodies.wy[b] * az - w.bodies.wz[b] * ay,
-                            w.bodies.vy[b] + w.bodies.wz[b] * ax - w.bodies.wx[b] * az,
-                            w.bodies.vz[b] + w.bodies.wx[b] * ay - w.bodies.wy[b] * ax});
+    const dem::Vec3 v = dem::point_velocity(w.bodies, b, w.spheres.x[i] - w.bodies.x[b], w.spheres.y[i] - w.bodies.y[b],
+                                            w.spheres.z[i] - w.bodies.z[b]);
+    view.spheres.push_back(
+        {w.spheres.body[i], w.spheres.x[i], w.spheres.y[i], w.spheres.z[i], w.spheres.radius[i], v[0], v[1], v[2]});
   }
 }
 
