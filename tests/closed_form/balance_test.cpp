@@ -32,13 +32,11 @@ TEST(WallStress, EqualsForceTimesBranchOverVolumeInsideARestingPacking) {
   const double ratio = dem::unbalanced_force_ratio(world);
   ASSERT_LT(ratio, 1e-5);
   double inside[3] = {0, 0, 0};  // sum of f l for each axis, compression positive [N m]
-  const auto add = [&](const dem::Contacts& c, std::size_t k) {
-    inside[0] -= c.fx[k] * (c.ax[k] - c.bx[k]);
-    inside[1] -= c.fy[k] * (c.ay[k] - c.by[k]);
-    inside[2] -= c.fz[k] * (c.az[k] - c.bz[k]);
-  };
-  world.contacts.each([&](std::size_t k) { add(world.contacts, k); });
-  world.wall_contacts.each([&](std::size_t k) { add(world.wall_contacts, k); });
+  for (const auto& touching : {dem::contacts(world), dem::wall_contacts(world)}) {
+    for (const dem::Contact& c : touching) {
+      for (std::size_t axis = 0; axis < 3; ++axis) inside[axis] -= c.force[axis] * (c.arm_a[axis] - c.arm_b[axis]);
+    }
+  }
   for (int axis = 0; axis < 3; ++axis) {
     const auto &low = world.walls[2 * axis], &high = world.walls[2 * axis + 1];
     EXPECT_GT(low.force, 0);

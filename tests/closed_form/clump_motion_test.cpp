@@ -106,22 +106,22 @@ TEST(OffCentreHit, GivesTheImpulseOfMassAndInertiaTogether) {
     turn(world, 0, {0, 0, 1}, 0.4);
     double lowest = 1;
     std::size_t foot = 0;
-    for (std::size_t s = 0; s < world.spheres.x.size(); ++s) {
-      const double bottom = world.spheres.z[s] - world.spheres.radius[s];
+    const dem::Centres at = dem::sphere_centres(world.bodies, world.spheres);
+    for (std::size_t s = 0; s < at.x.size(); ++s) {
+      const double bottom = at.z[s] - world.spheres.radius[s];
       if (bottom < lowest) lowest = bottom, foot = s;
     }
     add_wall(world, dem::kFloor, lowest - 1e-9);
     const double speed = 1e-3;
     set_velocity(world, 0, {0, 0, -speed});
     const Vec3 n{0, 0, 1};
-    const Vec3 arm{world.spheres.x[foot] - world.bodies.x[0], world.spheres.y[foot] - world.bodies.y[0],
-                   lowest - world.bodies.z[0]};
+    const Vec3 arm{at.x[foot] - world.bodies.x[0], at.y[foot] - world.bodies.y[0], lowest - world.bodies.z[0]};
     const Vec3 turning = cross(arm, n);
     ASSERT_GT(norm(turning), 1e-3) << "the hit is off the centre";
     const double compliance = 1 / world.bodies.mass[0] + dot(turning, inverse_inertia_times(world, 0, turning));
     world.dt = 1e-3 / std::sqrt(compliance * kStiffness);
     run(world, 4000);  // the contact lasts pi / 1e-3 steps
-    ASSERT_EQ(world.wall_contacts.count(), 0u);
+    ASSERT_EQ(dem::wall_contacts(world).size(), 0u);
     const double impulse = 2 * speed / compliance;
     EXPECT_NEAR(world.bodies.mass[0] * (world.bodies.vz[0] + speed) / impulse, 1, 1e-3) << spheres << " spheres";
     const Vec3 l{world.bodies.lx[0], world.bodies.ly[0], world.bodies.lz[0]};
@@ -151,7 +151,7 @@ World standing_clump(int spheres, double friction) {
 void run_on_incline(World& world, int steps, double slope) {
   world.gravity = kGravity * std::cos(slope);
   for (int i = 0; i < steps; ++i) {
-    world.bodies.fx[0] += world.bodies.mass[0] * kGravity * std::sin(slope);
+    world.bodies.load[0].fx += world.bodies.mass[0] * kGravity * std::sin(slope);
     dem::step(world);
   }
 }
@@ -160,9 +160,7 @@ void run_on_incline(World& world, int steps, double slope) {
 /// centre of mass along the tilted weight meets the floor inside the triangle of the feet.
 double tipping_slope(const World& world) {
   std::vector<Vec3> feet;
-  world.wall_contacts.each([&](std::size_t k) {
-    feet.push_back({world.wall_contacts.ax[k], world.wall_contacts.ay[k], world.wall_contacts.az[k]});
-  });
+  for (const dem::Contact& c : dem::wall_contacts(world)) feet.push_back(c.arm_a);
   double reach = -1;  // where the line y = 0 through the centre of mass leaves the triangle, towards +x
   for (std::size_t i = 0; i < feet.size(); ++i) {
     const Vec3 &p = feet[i], &q = feet[(i + 1) % feet.size()];
@@ -176,14 +174,14 @@ class ClumpOnIncline : public testing::TestWithParam<int> {};
 
 TEST_P(ClumpOnIncline, StandsOnThreeFeetAndRestsWhileItsWeightFallsInside) {
   World world = standing_clump(GetParam(), 0.5);
-  ASSERT_EQ(world.wall_contacts.count(), 3u);
+  ASSERT_EQ(dem::wall_contacts(world).size(), 3u);
   const double slope = std::min(0.8 * tipping_slope(world), std::atan(0.4));
   ASSERT_GT(slope, 0.05);
   const double start = world.bodies.x[0];
   run_on_incline(world, 40000, slope);
   EXPECT_NEAR(world.bodies.x[0], start, 2e-6) << "only the springs give way";
   EXPECT_LT(norm(velocity(world, 0)), 1e-6);
-  EXPECT_EQ(world.wall_contacts.count(), 3u);
+  EXPECT_EQ(dem::wall_contacts(world).size(), 3u);
 }
 
 TEST_P(ClumpOnIncline, SlidesWithFrictionTakenOffAndDoesNotRoll) {

@@ -47,7 +47,7 @@ Impact measure(World& world, double effective_mass, double step_share) {
   int touching = 0;
   for (int i = 0; i < 20 / step_share; ++i) {
     dem::step(world);
-    if (world.bodies.fz[0] > 0)
+    if (world.bodies.load[0].fz > 0)
       ++touching;
     else if (touching > 0)
       break;
@@ -139,15 +139,15 @@ World stack_of(std::initializer_list<double> radii) {
 TEST(Weight, PressesASphereIntoThePlaneByItsWeightOverStiffness) {
   const World world = stack_of({kRadius});
   const double weight = world.bodies.mass[0] * world.gravity;
-  EXPECT_NEAR(world.wall_contacts.overlap[0] * kSoft / weight, 1, 1e-10);
+  EXPECT_NEAR(dem::wall_contacts(world)[0].overlap * kSoft / weight, 1, 1e-10);
   EXPECT_NEAR(world.walls[dem::kFloor].force / weight, 1, 1e-10);
 }
 
 TEST(Weight, OfAStackOfTwoIsCarriedBelowByBoth) {
   const World world = stack_of({kRadius, 0.5 * kRadius});
   const double lower = world.bodies.mass[0] * world.gravity, upper = world.bodies.mass[1] * world.gravity;
-  EXPECT_NEAR(world.wall_contacts.overlap[0] * kSoft / (lower + upper), 1, 1e-10);
-  EXPECT_NEAR(world.contacts.overlap[0] * kSoft / upper, 1, 1e-10);
+  EXPECT_NEAR(dem::wall_contacts(world)[0].overlap * kSoft / (lower + upper), 1, 1e-10);
+  EXPECT_NEAR(dem::contacts(world)[0].overlap * kSoft / upper, 1, 1e-10);
 }
 
 /// Where between two steps the sphere touches or leaves, as a share of the step.

@@ -10,13 +10,6 @@ namespace {
 
 World falling_swarm() { return swarm({.clusters = 60, .seed = 4, .speed = 0.3, .gravity = 1.63}); }
 
-/// Of the bodies alone: lists may differ where only the skin does.
-std::string body_bytes(World& world) {
-  dem::Saver saver;
-  world.bodies.archive(saver);
-  return saver.take();
-}
-
 TEST(Determinism, OneTwoAndThreeThreadsGiveTheSameBits) {
   World one = falling_swarm();
   run(one, 3000);
@@ -35,7 +28,8 @@ TEST(Determinism, TheSkinOfTheListsDoesNotShow) {
   run(thin, 3000);
   run(thick, 3000);
   EXPECT_NE(thin.list_builds, thick.list_builds);
-  EXPECT_EQ(body_bytes(thin), body_bytes(thick));
+  thin.skin = thick.skin;  // the only number that may differ
+  EXPECT_EQ(state_bytes(thin), state_bytes(thick));
 }
 
 TEST(Determinism, SavedAndLoadedAtRandomStepsItGoesOnBitForBit) {

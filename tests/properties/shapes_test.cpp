@@ -141,13 +141,14 @@ TEST(Generation, OfEveryKindRotationAndSeedLeavesNoOverlapAndNothingOutside) {
         dem::World world;
         replace_parents(*parents, micro, 0.4, random, world);
         EXPECT_LE(deepest_overlap_between_clusters(world), 0.0);
-        for (std::size_t s = 0; s < world.spheres.x.size(); ++s) {
+        const dem::Centres at = dem::sphere_centres(world.bodies, world.spheres);
+        for (std::size_t s = 0; s < at.x.size(); ++s) {
           const double r = world.spheres.radius[s];
-          ASSERT_GE(world.spheres.x[s], r);
-          ASSERT_LE(world.spheres.x[s], length - r);
-          ASSERT_GE(world.spheres.y[s], r);
-          ASSERT_LE(world.spheres.y[s], width - r);
-          ASSERT_GE(world.spheres.z[s], r);
+          ASSERT_GE(at.x[s], r);
+          ASSERT_LE(at.x[s], length - r);
+          ASSERT_GE(at.y[s], r);
+          ASSERT_LE(at.y[s], width - r);
+          ASSERT_GE(at.z[s], r);
         }
       }
     }

@@ -19,12 +19,13 @@ World rebuilt(const World& from, const std::vector<int>& order, const Map& point
   World to = empty_world(from.law);
   to.dt = from.dt;
   to.gravity = from.gravity;
+  const dem::Centres at = dem::sphere_centres(from.bodies, from.spheres);
   for (const int body : order) {
     const auto b = static_cast<std::size_t>(body);
     dem::ClusterSpec spec{.density = 2930, .parent_diameter = from.bodies.parent_diameter[b]};
     for (auto s = from.bodies.first_sphere[b]; s < from.bodies.first_sphere[b + 1]; ++s) {
       const auto k = static_cast<std::size_t>(s);
-      spec.centre.push_back(point({from.spheres.x[k], from.spheres.y[k], from.spheres.z[k]}));
+      spec.centre.push_back(point({at.x[k], at.y[k], at.z[k]}));
       spec.radius.push_back(from.spheres.radius[k]);
     }
     spec.mass_factor = from.bodies.mass[b] / (2930 * from.bodies.solid_volume[b]);

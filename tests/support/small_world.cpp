@@ -78,7 +78,6 @@ void turn(World& world, int body, const Vec3& axis, double angle) {
   const Vec3 turned = c * q + (w * u + cross(u, q));  // quaternion product (c, u) (w, q)
   b.qw[i] = c * w - dot(u, q);
   b.qx[i] = turned[0], b.qy[i] = turned[1], b.qz[i] = turned[2];
-  dem::place_spheres(b, world.spheres);
   world.lists_stale = true;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 #include <string>
 
+#include "worker/dem/contacts.h"
 #include "worker/dem/step.h"
 #include "worker/dem/watch.h"
 #include "worker/dem/world.h"

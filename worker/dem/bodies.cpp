@@ -5,7 +5,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "worker/dem/hot.h"
 
 namespace regolab::dem {
 namespace {
@@ -43,9 +42,12 @@ void push_rigid_state(Bodies& b, const Eigen::Vector3d& centre, const Eigen::Qua
   b.qx.push_back(q.x());
   b.qy.push_back(q.y());
   b.qz.push_back(q.z());
-  for (auto* zero : {&b.vx, &b.vy, &b.vz, &b.lx, &b.ly, &b.lz, &b.wx, &b.wy, &b.wz, &b.fx, &b.fy, &b.fz, &b.tx, &b.ty, &b.tz}) {
+  for (auto* zero : {&b.vx, &b.vy, &b.vz, &b.lx, &b.ly, &b.lz, &b.wx, &b.wy, &b.wz}) {
     zero->push_back(0.0);
   }
+  b.load.emplace_back();
+  b.motion.emplace_back();
+  b.turn.emplace_back();
   b.gone.push_back(0);
 }
 
@@ -75,7 +77,7 @@ int add_cluster(const ClusterSpec& spec, Bodies& bodies, Spheres& spheres) {
   bodies.solid_volume.push_back(p.volume);
   bodies.parent_diameter.push_back(spec.parent_diameter);
 
-  double reach = 0;
+  double reach = 0, swing = 0;
   for (std::size_t i = 0; i < spec.radius.size(); ++i) {
     const Eigen::Vector3d d = vector(spec.centre[i]) - p.centre;
     const Eigen::Vector3d offset = axes.transpose() * d;
@@ -84,12 +86,11 @@ int add_cluster(const ClusterSpec& spec, Bodies& bodies, Spheres& spheres) {
     spheres.oy.push_back(offset.y());
     spheres.oz.push_back(offset.z());
     spheres.radius.push_back(spec.radius[i]);
-    spheres.x.push_back(spec.centre[i][0]);
-    spheres.y.push_back(spec.centre[i][1]);
-    spheres.z.push_back(spec.centre[i][2]);
     reach = std::max(reach, d.norm() + spec.radius[i]);
+    if (spec.radius.size() > 1) swing = std::max(swing, d.norm());
   }
   bodies.reach.push_back(reach);
+  bodies.swing.push_back(swing);
   if (bodies.first_sphere.empty()) bodies.first_sphere.push_back(0);
   bodies.first_sphere.push_back(spheres.count());
   return index;
@@ -103,7 +104,9 @@ std::array<double, 9> rotation_of(const Bodies& bodies, int body) {
           2 * (x * z - w * y),     2 * (y * z + w * x),     1 - 2 * (x * x + y * y)};
 }
 
-void place_spheres(const Bodies& bodies, Spheres& spheres) {
+void sphere_centres(const Bodies& bodies, const Spheres& spheres, Centres& out) {
+  const auto n = static_cast<std::size_t>(spheres.count());
+  for (auto* axis : {&out.x, &out.y, &out.z}) axis->resize(n);
   for (int b = 0; b < bodies.count(); ++b) {
     const auto r = rotation_of(bodies, b);
     const auto i = static_cast<std::size_t>(b);
@@ -111,32 +114,27 @@ void place_spheres(const Bodies& bodies, Spheres& spheres) {
     const auto end = static_cast<std::size_t>(bodies.first_sphere[i + 1]);
     for (auto s = static_cast<std::size_t>(bodies.first_sphere[i]); s < end; ++s) {
       const double ox = spheres.ox[s], oy = spheres.oy[s], oz = spheres.oz[s];
-      spheres.x[s] = bx + (r[0] * ox + r[1] * oy + r[2] * oz);
-      spheres.y[s] = by + (r[3] * ox + r[4] * oy + r[5] * oz);
-      spheres.z[s] = bz + (r[6] * ox + r[7] * oy + r[8] * oz);
+      out.x[s] = bx + (r[0] * ox + r[1] * oy + r[2] * oz);
+      out.y[s] = by + (r[3] * ox + r[4] * oy + r[5] * oz);
+      out.z[s] = bz + (r[6] * ox + r[7] * oy + r[8] * oz);
     }
   }
 }
 
-Poses poses_of(const Bodies& b) { return {b.x, b.y, b.z, b.qw, b.qx, b.qy, b.qz}; }
+Centres sphere_centres(const Bodies& bodies, const Spheres& spheres) {
+  Centres out;
+  sphere_centres(bodies, spheres, out);
+  return out;
+}
 
-REGOLAB_HOT bool moved_beyond(double limit, const Poses& since, const Bodies& bodies) {
-  // |dq| = 2 sin(angle/4), so angle < 2.1 |dq| up to 70 degrees; a larger turn is far beyond any skin.
-  constexpr double kAnglePerQuaternion = 2.1;
-  const std::size_t n = bodies.x.size();
-  const double *x = bodies.x.data(), *y = bodies.y.data(), *z = bodies.z.data(), *reach = bodies.reach.data();
-  const double *qw = bodies.qw.data(), *qx = bodies.qx.data(), *qy = bodies.qy.data(), *qz = bodies.qz.data();
-  const double *x0 = since.x.data(), *y0 = since.y.data(), *z0 = since.z.data();
-  const double *w0 = since.qw.data(), *a0 = since.qx.data(), *b0 = since.qy.data(), *c0 = since.qz.data();
-  int beyond = 0;
-  for (std::size_t i = 0; i < n; ++i) {
-    const double dx = x[i] - x0[i], dy = y[i] - y0[i], dz = z[i] - z0[i];
-    const double dw = qw[i] - w0[i], da = qx[i] - a0[i], db = qy[i] - b0[i], dc = qz[i] - c0[i];
-    const double shift = std::sqrt(dx * dx + dy * dy + dz * dz);
-    const double turn = std::sqrt(dw * dw + da * da + db * db + dc * dc);
-    beyond |= shift + kAnglePerQuaternion * reach[i] * turn > limit ? 1 : 0;
+void publish_motion(Bodies& b) {
+  b.motion.resize(b.x.size());
+  b.turn.resize(b.x.size());
+  for (std::size_t i = 0; i < b.x.size(); ++i) {
+    b.motion[i] = {{b.x[i], b.y[i], b.z[i]}, {b.vx[i], b.vy[i], b.vz[i]}, {b.wx[i], b.wy[i], b.wz[i]}};
+    const auto r = rotation_of(b, static_cast<int>(i));
+    for (std::size_t k = 0; k < 3; ++k) b.turn[i].column[k] = {r[k], r[3 + k], r[6 + k]};
   }
-  return beyond != 0;
 }
 
 }  // namespace regolab::dem

@@ -8,6 +8,10 @@
 namespace regolab::dem {
 
 using Vec3 = std::array<double, 3>;
+/// Three numbers of a record and a fourth, together in one vector register.
+struct alignas(32) Quad {
+  double v[4] = {0, 0, 0, 0};
+};
 
 /// One cluster to be added. Spheres are tangent, so masses and inertias add up exactly (parallel axes).
 struct ClusterSpec {
@@ -16,6 +20,22 @@ struct ClusterSpec {
   double density = 0;          ///< of the grain [kg/m3]
   double mass_factor = 1;      ///< > 1 for grains that carry the mass of a larger size
   double parent_diameter = 0;  ///< of the sphere it replaces [m]
+};
+
+/// Contact force [N] and torque about the centre of mass [N m] on a cluster.
+struct alignas(64) Load {
+  double fx = 0, fy = 0, fz = 0, unused_f = 0, tx = 0, ty = 0, tz = 0, unused_t = 0;
+  template <class A>
+  void archive(A& ar) { ar(fx, fy, fz, tx, ty, tz); }
+};
+
+/// What a contact asks of a cluster, in one record: centre of mass [m], velocity [m/s], angular velocity [1/s].
+struct Motion {
+  Quad centre, velocity, spin;
+};
+/// Columns of the matrix that turns the principal frame into space.
+struct Turn {
+  Quad column[3];
 };
 
 /// State of the clusters. Velocities and angular momenta stand half a step behind the positions (leapfrog).
@@ -31,10 +51,14 @@ struct Bodies {
   std::vector<double> solid_volume;         // [n] sum of sphere volumes [m3]
   std::vector<double> parent_diameter;      // [n] [m]
   std::vector<double> reach;                // [n] farthest point from the centre of mass [m]
-  std::vector<double> fx, fy, fz;           // [n] contact force of the last step [N]
-  std::vector<double> tx, ty, tz;           // [n] contact torque about the centre of mass [N m]
+  std::vector<double> swing;                // [n] farthest sphere centre from it: what a turn can move [m]
+  std::vector<Load> load;                   // [n] of the last step
   std::vector<std::int32_t> first_sphere;   // [n + 1]
   std::vector<std::uint8_t> gone;           // [n] 1 = left the experiment (lies in the tray)
+
+  // Follow from the state each step; not saved.
+  std::vector<Motion> motion;               // [n]
+  std::vector<Turn> turn;                   // [n]
 
   int count() const { return static_cast<int>(x.size()); }
   void hold_fixed(int body);
@@ -43,20 +67,25 @@ struct Bodies {
   template <class A>
   void archive(A& ar) {
     ar(x, y, z, vx, vy, vz, qw, qx, qy, qz, lx, ly, lz, wx, wy, wz, inverse_mass, inverse_ix, inverse_iy, inverse_iz, mass,
-       solid_volume, parent_diameter, reach, fx, fy, fz, tx, ty, tz, first_sphere, gone);
+       solid_volume, parent_diameter, reach, swing, load, first_sphere, gone);
   }
 };
 
+/// Where they are follows from their clusters: sphere_centres().
 struct Spheres {
   std::vector<std::int32_t> body;     // [m]
   std::vector<double> ox, oy, oz;     // [m] offset from the centre of mass, principal frame [m]
   std::vector<double> radius;         // [m] [m]
-  std::vector<double> x, y, z;        // [m] in space [m]
 
-  int count() const { return static_cast<int>(x.size()); }
+  int count() const { return static_cast<int>(body.size()); }
 
   template <class A>
-  void archive(A& ar) { ar(body, ox, oy, oz, radius, x, y, z); }
+  void archive(A& ar) { ar(body, ox, oy, oz, radius); }
+};
+
+/// Positions of all spheres in space.
+struct Centres {
+  std::vector<double> x, y, z;  // [m] [m]
 };
 
 /// Adds a cluster at rest; returns its index. REQUIRES: at least one sphere, density > 0.
@@ -71,19 +100,11 @@ inline Vec3 point_velocity(const Bodies& b, std::size_t i, double ax, double ay,
           b.vz[i] + (b.wx[i] * ay - b.wy[i] * ax)};
 }
 
-/// All spheres to where their clusters are.
-void place_spheres(const Bodies& bodies, Spheres& spheres);
+/// Where the spheres are now; the second form re-uses the arrays.
+Centres sphere_centres(const Bodies& bodies, const Spheres& spheres);
+void sphere_centres(const Bodies& bodies, const Spheres& spheres, Centres& out);
 
-/// Where the clusters stood when the near lists were built.
-struct Poses {
-  std::vector<double> x, y, z, qw, qx, qy, qz;  // [n]
-  template <class A>
-  void archive(A& ar) { ar(x, y, z, qw, qx, qy, qz); }
-};
-Poses poses_of(const Bodies& bodies);
-
-/// True when some point of some cluster may have moved farther than `limit` since. Conservative: a cluster's points move at
-/// most |dx| + reach * angle.
-bool moved_beyond(double limit, const Poses& since, const Bodies& bodies);
+/// Motion and turn of every cluster from its state, where no step has just left them.
+void publish_motion(Bodies& bodies);
 
 }  // namespace regolab::dem

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "worker/dem/pack.h"
+
 namespace regolab::dem {
 namespace {
 
@@ -24,7 +26,8 @@ int bin_of(double value, const Range& range, int n) {
 
 }  // namespace
 
-void CellGrid::build(std::span<const double> x, std::span<const double> y, std::span<const double> z, double cell) {
+void CellGrid::build(std::span<const double> x, std::span<const double> y, std::span<const double> z,
+                     std::span<const double> radius, double cell) {
   const std::size_t n = x.size();
   if (n == 0) return;
   const Range rx = range_of(x), ry = range_of(y), rz = range_of(z);
@@ -40,10 +43,13 @@ void CellGrid::build(std::span<const double> x, std::span<const double> y, std::
     ++start_[static_cast<std::size_t>(c) + 1];
   }
   for (std::size_t c = 0; c < n_cells; ++c) start_[c + 1] += start_[c];
-  order_.resize(n);
-  std::vector<std::int32_t> next(start_.begin(), start_.end() - 1);
+  next_ = start_;
+  for (auto* field : {&sorted_.at.x, &sorted_.at.y, &sorted_.at.z, &sorted_.radius}) field->resize(n + kMostLanes);
+  sorted_.id.resize(n + kMostLanes);
   for (std::size_t i = 0; i < n; ++i) {
-    order_[static_cast<std::size_t>(next[static_cast<std::size_t>(cell_of_[i])]++)] = static_cast<std::int32_t>(i);
+    const auto at = static_cast<std::size_t>(next_[static_cast<std::size_t>(cell_of_[i])]++);
+    sorted_.at.x[at] = x[i], sorted_.at.y[at] = y[i], sorted_.at.z[at] = z[i], sorted_.radius[at] = radius[i];
+    sorted_.id[at] = static_cast<std::int32_t>(i);
   }
 }
 

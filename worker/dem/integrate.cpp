@@ -1,93 +1,173 @@
 #include "worker/dem/integrate.h"
 
-#include <algorithm>
-#include <cmath>
-
-#include "worker/dem/hot.h"
+#include "worker/dem/records.h"
 
 namespace regolab::dem {
 namespace {
 
+template <class P>
 struct Quaternion {
-  double w, x, y, z;
+  P w, x, y, z;
+};
+template <class P>
+struct Rotation {  // space = R principal
+  P xx, xy, xz, yx, yy, yz, zx, zy, zz;
 };
 
-REGOLAB_INLINE Quaternion normalised(const Quaternion& q) {
-  const double scale = 1.0 / std::sqrt(q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z);
-  return {q.w * scale, q.x * scale, q.y * scale, q.z * scale};
+template <class P>
+REGOLAB_INLINE Rotation<P> rotation(const Quaternion<P>& q) {
+  return {1.0 - 2.0 * (q.y * q.y + q.z * q.z), 2.0 * (q.x * q.y - q.w * q.z),       2.0 * (q.x * q.z + q.w * q.y),
+          2.0 * (q.x * q.y + q.w * q.z),       1.0 - 2.0 * (q.x * q.x + q.z * q.z), 2.0 * (q.y * q.z - q.w * q.x),
+          2.0 * (q.x * q.z - q.w * q.y),       2.0 * (q.y * q.z + q.w * q.x),       1.0 - 2.0 * (q.x * q.x + q.y * q.y)};
 }
 
-/// q + h (w at) / 2, normalised, with w the angular velocity in space and `at` the turn where the rate is taken.
-REGOLAB_INLINE Quaternion turned(const Quaternion& q, const Quaternion& at, double wx, double wy, double wz, double h) {
-  const double k = 0.5 * h;
-  return normalised({q.w + k * (-wx * at.x - wy * at.y - wz * at.z), q.x + k * (wx * at.w + wy * at.z - wz * at.y),
-                     q.y + k * (wy * at.w + wz * at.x - wx * at.z), q.z + k * (wz * at.w + wx * at.y - wy * at.x)});
+/// w = R I^-1 R^T L, for the principal inverse inertia j.
+template <class P>
+REGOLAB_INLINE Triple<P> angular_velocity(const Rotation<P>& r, const Triple<P>& j, const Triple<P>& l) {
+  const P px = j.x * (r.xx * l.x + r.yx * l.y + r.zx * l.z), py = j.y * (r.xy * l.x + r.yy * l.y + r.zy * l.z),
+          pz = j.z * (r.xz * l.x + r.yz * l.y + r.zz * l.z);
+  return {r.xx * px + r.xy * py + r.xz * pz, r.yx * px + r.yy * py + r.yz * pz, r.zx * px + r.zy * py + r.zz * pz};
 }
 
-/// w = R I^-1 R^T L, for the body's principal inverse inertia (jx, jy, jz).
-REGOLAB_INLINE void angular_velocity(const Quaternion& q, double jx, double jy, double jz, double lx, double ly, double lz, double& wx,
-                             double& wy, double& wz) {
-  const double a = 1 - 2 * (q.y * q.y + q.z * q.z), b = 2 * (q.x * q.y - q.w * q.z), c = 2 * (q.x * q.z + q.w * q.y);
-  const double d = 2 * (q.x * q.y + q.w * q.z), e = 1 - 2 * (q.x * q.x + q.z * q.z), f = 2 * (q.y * q.z - q.w * q.x);
-  const double g = 2 * (q.x * q.z - q.w * q.y), h = 2 * (q.y * q.z + q.w * q.x), i = 1 - 2 * (q.x * q.x + q.y * q.y);
-  const double px = jx * (a * lx + d * ly + g * lz), py = jy * (b * lx + e * ly + h * lz), pz = jz * (c * lx + f * ly + i * lz);
-  wx = a * px + b * py + c * pz;
-  wy = d * px + e * py + f * pz;
-  wz = g * px + h * py + i * pz;
+/// q + k (w at), with w the angular velocity in space and `at` the turn where the rate is taken.
+template <class P>
+REGOLAB_INLINE Quaternion<P> turned(const Quaternion<P>& q, const Quaternion<P>& at, const Triple<P>& w, double k) {
+  return {q.w + k * (-w.x * at.x - w.y * at.y - w.z * at.z), q.x + k * (w.x * at.w + w.y * at.z - w.z * at.y),
+          q.y + k * (w.y * at.w + w.z * at.x - w.x * at.z), q.z + k * (w.z * at.w + w.x * at.y - w.y * at.x)};
+}
+template <class P>
+REGOLAB_INLINE Quaternion<P> scaled(const Quaternion<P>& q, const P& s) { return {q.w * s, q.x * s, q.y * s, q.z * s}; }
+
+/// The turn at mid-step. The rate is square to q, so the length grows to sqrt(1 + e): no root is needed to take that back.
+template <class P>
+REGOLAB_INLINE Quaternion<P> half_turned(const Quaternion<P>& q, const Triple<P>& w, double dt) {
+  const double k = 0.25 * dt;
+  const P e = k * k * dot(w, w);
+  return scaled(turned(q, q, w, k), 1.0 + e * (0.375 * e - 0.5));
 }
 
-REGOLAB_HOT void translate(double gravity, double keep, double dt, Bodies& bodies) {
-  const std::size_t n = bodies.x.size();
-  const double* inverse_mass = bodies.inverse_mass.data();
-  double *x = bodies.x.data(), *y = bodies.y.data(), *z = bodies.z.data();
-  double *vx = bodies.vx.data(), *vy = bodies.vy.data(), *vz = bodies.vz.data();
-  const double *fx = bodies.fx.data(), *fy = bodies.fy.data(), *fz = bodies.fz.data();
-#pragma GCC ivdep
-  for (std::size_t i = 0; i < n; ++i) {
-    const double g = inverse_mass[i] > 0.0 ? gravity : 0.0;
-    vx[i] = keep * vx[i] + dt * (inverse_mass[i] * fx[i]);
-    vy[i] = keep * vy[i] + dt * (inverse_mass[i] * fy[i]);
-    vz[i] = keep * vz[i] + dt * (inverse_mass[i] * fz[i] - g);
-    x[i] += dt * vx[i];
-    y[i] += dt * vy[i];
-    z[i] += dt * vz[i];
-  }
+template <class P>
+REGOLAB_INLINE Quaternion<P> fully_turned(const Quaternion<P>& q, const Quaternion<P>& half, const Triple<P>& w, double dt) {
+  const Quaternion<P> end = turned(q, half, w, 0.5 * dt);
+  return scaled(end, 1.0 / root(end.w * end.w + end.x * end.x + end.y * end.y + end.z * end.z));
 }
 
-REGOLAB_HOT void turn(double keep, double dt, Bodies& bodies) {
-  const std::size_t n = bodies.x.size();
-  const double *jx = bodies.inverse_ix.data(), *jy = bodies.inverse_iy.data(), *jz = bodies.inverse_iz.data();
-  const double *tx = bodies.tx.data(), *ty = bodies.ty.data(), *tz = bodies.tz.data();
-  double *lx = bodies.lx.data(), *ly = bodies.ly.data(), *lz = bodies.lz.data();
-  double *wx = bodies.wx.data(), *wy = bodies.wy.data(), *wz = bodies.wz.data();
-  double *qw = bodies.qw.data(), *qx = bodies.qx.data(), *qy = bodies.qy.data(), *qz = bodies.qz.data();
-#pragma GCC ivdep
-  for (std::size_t i = 0; i < n; ++i) {
-    const double is_free = jx[i] > 0.0 ? 1.0 : 0.0;
-    lx[i] = keep * lx[i] + is_free * dt * tx[i];
-    ly[i] = keep * ly[i] + is_free * dt * ty[i];
-    lz[i] = keep * lz[i] + is_free * dt * tz[i];
-    const Quaternion q{qw[i], qx[i], qy[i], qz[i]};
-    double ax, ay, az;
-    angular_velocity(q, jx[i], jy[i], jz[i], lx[i], ly[i], lz[i], ax, ay, az);
-    const Quaternion half = turned(q, q, ax, ay, az, 0.5 * dt);
-    angular_velocity(half, jx[i], jy[i], jz[i], lx[i], ly[i], lz[i], ax, ay, az);
-    const Quaternion end = turned(q, half, ax, ay, az, dt);  // the midpoint rule
-    qw[i] = end.w, qx[i] = end.x, qy[i] = end.y, qz[i] = end.z;
-    wx[i] = ax, wy[i] = ay, wz[i] = az;
-  }
+/// To and from records `stride` doubles apart.
+template <class P>
+REGOLAB_INLINE void scatter(const Triple<P>& v, double* to, std::size_t stride, int lanes) {
+  each_row(0, lanes, [=](int l, const Four& row) REGOLAB_INLINE_LAMBDA { store(row, to + static_cast<std::size_t>(l) * stride); },
+           rows_of(v));
+}
+template <class P>
+REGOLAB_INLINE Triple<P> strided(const double* from, std::size_t stride, int lanes) {
+  return gathered<P>([=](int l) REGOLAB_INLINE_LAMBDA { return from + static_cast<std::size_t>(l < lanes ? l : 0) * stride; }).xyz;
+}
+template <class P>
+REGOLAB_INLINE Triple<P> load3(const double* x, const double* y, const double* z, std::size_t i, int lanes) {
+  return {load_lanes<P>(x + i, lanes), load_lanes<P>(y + i, lanes), load_lanes<P>(z + i, lanes)};
+}
+template <class P>
+REGOLAB_INLINE void store3(const Triple<P>& v, double* x, double* y, double* z, std::size_t i, int lanes) {
+  store_lanes(v.x, x + i, lanes), store_lanes(v.y, y + i, lanes), store_lanes(v.z, z + i, lanes);
+}
+
+struct Arrays {
+  explicit Arrays(Bodies& b, Margins& m)
+      : x(b.x.data()), y(b.y.data()), z(b.z.data()), vx(b.vx.data()), vy(b.vy.data()), vz(b.vz.data()), qw(b.qw.data()),
+        qx(b.qx.data()), qy(b.qy.data()), qz(b.qz.data()), lx(b.lx.data()), ly(b.ly.data()), lz(b.lz.data()), wx(b.wx.data()),
+        wy(b.wy.data()), wz(b.wz.data()), im(b.inverse_mass.data()), jx(b.inverse_ix.data()), jy(b.inverse_iy.data()),
+        jz(b.inverse_iz.data()), swing(b.swing.data()), margin(m.margin.data()), path(m.path.data()), load(b.load.data()),
+        motion(b.motion.data()), turn(b.turn.data()) {}
+  double *x, *y, *z, *vx, *vy, *vz, *qw, *qx, *qy, *qz, *lx, *ly, *lz, *wx, *wy, *wz;
+  const double *im, *jx, *jy, *jz, *swing, *margin;
+  double* path;
+  Load* load;
+  Motion* motion;
+  Turn* turn;
+};
+
+constexpr std::size_t kMotionStride = sizeof(Motion) / sizeof(double), kTurnStride = sizeof(Turn) / sizeof(double),
+                      kLoadStride = sizeof(Load) / sizeof(double);
+
+template <class P>
+REGOLAB_INLINE Triple<P> translate(const Kick& kick, std::size_t i, int lanes, const Arrays& a) {
+  const P im = load_lanes<P>(a.im + i, lanes);
+  Triple<P> push = im * strided<P>(&a.load[i].fx, kLoadStride, lanes);
+  push.z = push.z - select(im > 0.0, pack_of<P>(kick.gravity), P{});
+  const Triple<P> v = kick.keep * load3<P>(a.vx, a.vy, a.vz, i, lanes) + kick.dt * push;
+  const Triple<P> x = load3<P>(a.x, a.y, a.z, i, lanes) + kick.dt * v;
+  store3(v, a.vx, a.vy, a.vz, i, lanes);
+  store3(x, a.x, a.y, a.z, i, lanes);
+  scatter(x, a.motion[i].centre.v, kMotionStride, lanes);
+  scatter(v, a.motion[i].velocity.v, kMotionStride, lanes);
+  return v;
+}
+
+template <class P>
+REGOLAB_INLINE Triple<P> rotate(const Kick& kick, std::size_t i, int lanes, const Arrays& a) {
+  const Triple<P> j = load3<P>(a.jx, a.jy, a.jz, i, lanes);
+  const P is_free = select(j.x > 0.0, pack_of<P>(kick.dt), P{});
+  const Triple<P> l = kick.keep * load3<P>(a.lx, a.ly, a.lz, i, lanes) + is_free * strided<P>(&a.load[i].tx, kLoadStride, lanes);
+  Quaternion<P> q{load_lanes<P>(a.qw + i, lanes), load_lanes<P>(a.qx + i, lanes), load_lanes<P>(a.qy + i, lanes),
+                  load_lanes<P>(a.qz + i, lanes)};
+  const Quaternion<P> half = half_turned(q, angular_velocity(rotation(q), j, l), kick.dt);
+  const Triple<P> w = angular_velocity(rotation(half), j, l);
+  q = fully_turned(q, half, w, kick.dt);
+  store3(l, a.lx, a.ly, a.lz, i, lanes);
+  store3(w, a.wx, a.wy, a.wz, i, lanes);
+  store_lanes(q.w, a.qw + i, lanes);
+  store3<P>({q.x, q.y, q.z}, a.qx, a.qy, a.qz, i, lanes);
+  const Rotation<P> r = rotation(q);
+  scatter<P>({r.xx, r.yx, r.zx}, a.turn[i].column[0].v, kTurnStride, lanes);
+  scatter<P>({r.xy, r.yy, r.zy}, a.turn[i].column[1].v, kTurnStride, lanes);
+  scatter<P>({r.xz, r.yz, r.zz}, a.turn[i].column[2].v, kTurnStride, lanes);
+  scatter(w, a.motion[i].spin.v, kMotionStride, lanes);
+  return w;
+}
+
+/// Clusters of one sphere: no turn shows, and the inverse inertia has no axes.
+template <class P>
+REGOLAB_INLINE Triple<P> spin_up(const Kick& kick, std::size_t i, int lanes, const Arrays& a) {
+  const P j = load_lanes<P>(a.jx + i, lanes), is_free = select(j > 0.0, pack_of<P>(kick.dt), P{});
+  const Triple<P> l = kick.keep * load3<P>(a.lx, a.ly, a.lz, i, lanes) + is_free * strided<P>(&a.load[i].tx, kLoadStride, lanes);
+  const Triple<P> w = j * l;
+  store3(l, a.lx, a.ly, a.lz, i, lanes);
+  store3(w, a.wx, a.wy, a.wz, i, lanes);
+  scatter(w, a.motion[i].spin.v, kMotionStride, lanes);
+  return w;
+}
+
+/// One block of clusters; which lanes left their margin.
+template <class P, bool kTurns>
+REGOLAB_INLINE auto advance(const Kick& kick, std::size_t i, int lanes, const Arrays& a) {
+  const Triple<P> v = translate<P>(kick, i, lanes, a);
+  const Triple<P> w = kTurns ? rotate<P>(kick, i, lanes, a) : spin_up<P>(kick, i, lanes, a);
+  for (int l = 0; l < lanes; ++l) a.load[i + static_cast<std::size_t>(l)] = Load{};
+  const P speed = root(fastest_point2(dot(v, v), dot(w, w), load_lanes<P>(a.swing + i, lanes)));
+  const P path = load_lanes<P>(a.path + i, lanes) + kick.dt * speed;
+  store_lanes(path, a.path + i, lanes);
+  return path > load_lanes<P>(a.margin + i, lanes);
+}
+
+template <class P, bool kTurns>
+REGOLAB_INLINE bool advance_all(const Kick& kick, std::size_t begin, std::size_t end, const Arrays& arrays) {
+  auto left = P{} > P{};
+  std::size_t i = begin;
+  for (; i + kLanes<P> <= end; i += kLanes<P>) left |= advance<P, kTurns>(kick, i, kLanes<P>, arrays);
+  if (i < end) left |= advance<P, kTurns>(kick, i, static_cast<int>(end - i), arrays);
+  return any(left);
+}
+
+template <class P>
+REGOLAB_INLINE bool kick_and_drift_with(const Kick& shared_kick, std::size_t begin, std::size_t end, Bodies& bodies, Margins& margins) {
+  const Kick kick = shared_kick;  // a copy: stores below cannot alias it
+  const Arrays arrays(bodies, margins);
+  return margins.anything_swings ? advance_all<P, true>(kick, begin, end, arrays) : advance_all<P, false>(kick, begin, end, arrays);
 }
 
 }  // namespace
 
-void kick_and_drift(double gravity, double drag, double dt, Bodies& bodies) {
-  const double keep = drag > 0.0 ? std::max(0.0, 1.0 - drag * dt) : 1.0;
-  translate(gravity, keep, dt, bodies);
-  turn(keep, dt, bodies);
-}
-
-void clear_forces(Bodies& b) {
-  for (auto* force : {&b.fx, &b.fy, &b.fz, &b.tx, &b.ty, &b.tz}) std::fill(force->begin(), force->end(), 0.0);
-}
+REGOLAB_HOT(bool, kick_and_drift, (const Kick& kick, std::size_t begin, std::size_t end, Bodies& bodies, Margins& margins),
+            (kick, begin, end, bodies, margins))
 
 }  // namespace regolab::dem

@@ -1,13 +1,18 @@
-/// Leapfrog: velocities and angular momenta at half steps, positions and turns at whole steps. Second order.
+/// The clusters' step: leapfrog for the centres, angular momentum kept in space, the turn by the midpoint rule.
 #pragma once
 #include "worker/dem/bodies.h"
+#include "worker/dem/margins.h"
 
 namespace regolab::dem {
 
-/// v += (f/m + g) dt, x += v dt; L += t dt, and the turn by the angular velocity at the middle of the step. Angular momentum
-/// is kept in space, so a free cluster conserves it exactly. Leaves fx..tz as they are; held clusters stay. `drag` [1/s].
-void kick_and_drift(double gravity, double drag, double dt, Bodies& bodies);
+struct Kick {
+  double gravity = 0;  ///< along -z [m/s2]
+  double keep = 1;     ///< share of velocity and angular momentum that drag leaves
+  double dt = 0;       ///< [s]
+};
 
-void clear_forces(Bodies& bodies);
+/// Clusters [begin, end): velocities by the loads of the last step, then positions and turns; publishes motion and turn, takes
+/// the loads back to zero. True when one of them left its margin. REQUIRES: begin a multiple of kMostLanes.
+bool kick_and_drift(const Kick& kick, std::size_t begin, std::size_t end, Bodies& bodies, Margins& margins);
 
 }  // namespace regolab::dem

@@ -1,42 +1,40 @@
-/// Near pairs of spheres of different clusters, with the sliding history of each. Canonical order (a < b, sorted by a then b):
-/// forces are summed in this order, so results do not depend on when, or with what skin, the list was built.
+/// Near pairs of spheres of different clusters, clusters first: bounding balls, then spheres. Canonical order (a < b, sorted by a
+/// then b): forces are summed in this order, so results do not depend on when, or with what skin, the list was built.
 #pragma once
 #include <cstdint>
 #include <vector>
 
 #include "worker/dem/bodies.h"
 #include "worker/dem/cell_grid.h"
+#include "worker/dem/margins.h"
 
 namespace regolab::dem {
 
-/// Tangential springs kept per slot. A slot whose last touch is not the step before starts anew.
-struct History {
-  std::vector<double> sx, sy, sz;            // [slots] [m]
-  std::vector<std::int64_t> touched;         // [slots] step of the last touch
-
-  void assign(std::size_t slots);
-  template <class A>
-  void archive(A& ar) { ar(sx, sy, sz, touched); }
+/// Where the clusters stood when a list was built.
+struct Poses {
+  std::vector<double> x, y, z, qw, qx, qy, qz;  // [n]
 };
-
-/// Carries springs of the step before from one list to its successor. Both lists are in canonical order by (first, second), so
-/// one merge does it; `fresh` must have its slots assigned.
-struct ListKeys {
-  const std::vector<std::int32_t>& first;
-  const std::vector<std::int32_t>& second;
-};
-void carry_over(const ListKeys& old_keys, const History& old, const ListKeys& fresh_keys, std::int64_t step, History& fresh);
 
 struct PairList {
-  std::vector<std::int32_t> a, b;            // [n_pairs] sphere indices, a < b
-  std::vector<double> sum_of_radii;          // [n_pairs] [m]
-  History history;                           // [n_pairs]
+  std::vector<std::int32_t> a, b;      // [n_pairs] sphere indices, a < b
+  std::vector<double> sum_of_radii;    // [n_pairs] [m]
+  Poses at_build;
+  std::vector<double> swing;           // [n] farthest sphere centre that counts when a cluster turns; 0 of a tumbling one [m]
 
-  template <class A>
-  void archive(A& ar) { ar(a, b, sum_of_radii, history); }
+  struct Scratch {
+    Centres at;                        // [n_spheres + a pack] where the search takes them to be
+    std::vector<double> radius;        // [n_spheres + a pack]
+    std::vector<std::int32_t> others;
+    CellGrid grid;
+  } scratch;
 };
 
-/// Every pair of spheres of different, present clusters with a gap below `skin`. History is carried over by pair.
-void build_pairs(const Bodies& bodies, const Spheres& spheres, double skin, std::int64_t step, CellGrid& grid, PairList& pairs);
+/// Every pair of spheres of different, present clusters with a gap below `skin`. Two clusters held fixed make no pairs. A cluster that
+/// turns so fast that it would use up the skin at once (`soon` [s]) is listed by its bounding ball: then its turn does not matter.
+void build_pairs(const Bodies& bodies, const Spheres& spheres, const Centres& centres, double skin, double soon, PairList& pairs);
+
+/// True when a sphere of some cluster, moved since and free to go its margin farther, may get beyond `limit`. Conservative: sphere
+/// centres move at most |dx| + swing * angle.
+bool moved_beyond(double limit, const PairList& pairs, const Bodies& bodies, const Margins& margins);
 
 }  // namespace regolab::dem

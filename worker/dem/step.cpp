@@ -1,71 +1,120 @@
 #include "worker/dem/step.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "worker/dem/integrate.h"
+#include "worker/dem/pack.h"
 
 namespace regolab::dem {
 namespace {
 
-/// True once a grain may have moved half the skin since the lists were built, or a wall has.
-bool lists_outdated(const World& w) {
-  const double half = 0.5 * w.skin;
-  if (w.lists_stale || moved_beyond(half, w.at_build, w.bodies)) return true;
-  for (int id = 0; id < kWalls; ++id) {
-    if (std::abs(w.walls[id].position - w.walls.position_at_build[static_cast<std::size_t>(id)]) > half) return true;
-  }
-  return false;
+/// Runs visit(begin, end) over [0, n), each thread its own stretch. Cuts lie at multiples of kMostLanes and do not show in the results.
+template <class Visit>
+void share_out(const World& w, std::size_t n, Visit visit) {
+  if (w.threads <= 1) return visit(std::size_t{0}, n);
+  const auto parts = static_cast<std::size_t>(w.threads);
+  const auto cut = [&](std::size_t t) { return t == parts ? n : n * t / parts / kMostLanes * kMostLanes; };
+#pragma omp parallel for num_threads(w.threads) schedule(static, 1)
+  for (int t = 0; t < w.threads; ++t) visit(cut(static_cast<std::size_t>(t)), cut(static_cast<std::size_t>(t) + 1));
 }
 
-/// gather, compute; each thread its own stretch. The stretches do not show in the results.
-template <class Gather>
-void find_and_compute(World& w, std::size_t listed, Contacts& contacts, Gather gather) {
-  cut_segments(listed, w.threads, contacts);
-#pragma omp parallel for num_threads(w.threads) schedule(static, 1) if (w.threads > 1)
-  for (int t = 0; t < w.threads; ++t) {
-    Contacts::Segment& segment = contacts.segments[static_cast<std::size_t>(t)];
-    gather(segment);
-    apply_law(w.law, w.dt, contacts, segment);
-  }
-}
+ForceInput input_of(const World& w) { return {w.law, w.dt, w.balls, w.bodies}; }
 
-void contact_forces(World& w) {
-  clear_forces(w.bodies);
-  find_and_compute(w, w.pairs.a.size(), w.contacts,
-                   [&](auto& segment) { gather_pairs(w.bodies, w.spheres, w.pairs, w.law, w.step, w.contacts, segment); });
-  find_and_compute(w, w.walls.sphere.size(), w.wall_contacts,
-                   [&](auto& segment) { gather_walls(w.bodies, w.spheres, w.walls, w.law, w.step, w.wall_contacts, segment); });
-  store_history(w.contacts, w.step, w.pairs.history);
-  store_history(w.wall_contacts, w.step, w.walls.history);
-  scatter_pairs(w.contacts, w.bodies);
-  scatter_walls(w.wall_contacts, w.bodies, w.walls);
+/// The pair list serves while every pair that its margins could bring together stands in it.
+constexpr double kMostMargin = 0.25, kUsableSkin = 0.5, kLeastMargin = 0.0005;  // of the skin
+constexpr double kListSteps = 1000;  // that a pair list should last
+
+void renew_margins(World& w) {
+  w.margins.renew(w.bodies, w.dt, kLeastMargin * w.skin, kMostMargin * w.skin);
+  double fastest = 0;
+  for (std::size_t id = 0; id < kWalls; ++id) {
+    w.walls_at_refresh[id] = w.walls.wall[id].position;
+    fastest = std::max(fastest, std::abs(w.walls.wall[id].velocity));
+  }
+  w.wall_margin = std::clamp(Margins::kSteps * w.dt * fastest, kLeastMargin * w.skin, kMostMargin * w.skin);
 }
 
 }  // namespace
 
-void rebuild_lists(World& w) {
-  build_pairs(w.bodies, w.spheres, w.skin, w.step, w.grid, w.pairs);
-  build_wall_list(w.bodies, w.spheres, w.skin, w.step, w.walls);
-  w.at_build = poses_of(w.bodies);
-  w.lists_stale = false;
-  ++w.list_builds;
+bool kick_and_drift(World& w) {
+  const Kick kick{w.gravity, w.drag > 0.0 ? std::max(0.0, 1.0 - w.drag * w.dt) : 1.0, w.dt};
+  int left = 0;
+  share_out(w, w.bodies.x.size(), [&](std::size_t begin, std::size_t end) {
+    if (kick_and_drift(kick, begin, end, w.bodies, w.margins)) {
+#pragma omp atomic write
+      left = 1;
+    }
+  });
+  return move_walls(w.dt, w.wall_margin, w.walls_at_refresh, w.walls) || left != 0;
+}
+
+void refresh_lists(World& w) {
+  w.hold_springs();
+  renew_margins(w);
+  sphere_centres(w.bodies, w.spheres, w.centres);
+  if (w.lists_stale || moved_beyond(kUsableSkin * w.skin, w.pairs, w.bodies, w.margins)) {
+    build_pairs(w.bodies, w.spheres, w.centres, w.skin, kListSteps * w.dt, w.pairs);
+    w.lists_stale = false;
+    ++w.list_builds;
+  }
+  list_near_pairs(w.pairs, w.spheres, w.centres, w.margins, w.near_pairs);
+  list_near_walls(w.bodies, w.spheres, w.centres, w.walls, w.margins, w.wall_margin, w.near_walls);
+  fill_pair_slots(w.law, w.bodies, w.near_pairs);
+  fill_wall_slots(w.law, w.bodies, w.near_walls);
+  give_springs(w.pair_springs, w.near_pairs);
+  give_springs(w.wall_springs, w.near_walls);
+  collect_balls(w.spheres, w.near_pairs, w.near_walls, w.balls);
+  if (w.threads > 1) list_shares(w.near_pairs, w.near_walls, w.bodies.x.size(), w.shares);
+  ++w.refreshes;
+}
+
+void place_balls(World& w) {
+  share_out(w, w.balls.sphere.size(), [&](std::size_t begin, std::size_t end) { place_balls(w.bodies, begin, end, w.balls); });
+}
+
+void press_pairs(World& w) {
+  Load* loads = w.threads <= 1 ? w.bodies.load.data() : nullptr;
+  share_out(w, w.near_pairs.count,
+            [&](std::size_t begin, std::size_t end) { press_pairs(input_of(w), {begin, end}, w.near_pairs, loads); });
+}
+
+void press_walls(World& w) {
+  Load* loads = w.threads <= 1 ? w.bodies.load.data() : nullptr;
+  share_out(w, w.near_walls.count,
+            [&](std::size_t begin, std::size_t end) { press_walls(input_of(w), w.walls, {begin, end}, w.near_walls, loads); });
+  sum_wall_forces(w.near_walls, w.walls);
+}
+
+void sum_loads(World& w) {
+  if (w.threads <= 1) return;
+  share_out(w, w.bodies.x.size(), [&](std::size_t begin, std::size_t end) {
+    sum_loads(w.shares, w.near_pairs, w.near_walls, begin, end, w.bodies.load);
+  });
 }
 
 void compute_forces(World& w) {
-  place_spheres(w.bodies, w.spheres);
-  rebuild_lists(w);
-  contact_forces(w);
+  publish_motion(w.bodies);
+  std::fill(w.bodies.load.begin(), w.bodies.load.end(), Load{});
+  w.lists_stale = true;
+  refresh_lists(w);
+  place_balls(w);
+  press_pairs(w);
+  press_walls(w);
+  sum_loads(w);
 }
 
 void step(World& w) {
   ++w.step;
   w.time += w.dt;
-  for (int id = 0; id < kWalls; ++id) w.wall_work += w.walls[id].force * inward(id) * w.walls[id].velocity * w.dt;
-  kick_and_drift(w.gravity, w.drag, w.dt, w.bodies);
-  move_walls(w.walls, w.dt);
-  place_spheres(w.bodies, w.spheres);
-  if (lists_outdated(w)) rebuild_lists(w);
-  contact_forces(w);
+  w.wall_work += wall_power(w.walls) * w.dt;
+  if (w.lists_stale) renew_margins(w);
+  const bool strayed = kick_and_drift(w);
+  if (strayed || w.lists_stale) refresh_lists(w);
+  place_balls(w);
+  press_pairs(w);
+  press_walls(w);
+  sum_loads(w);
 }
 
 }  // namespace regolab::dem

@@ -10,7 +10,12 @@ void step(World& world);
 /// Forces at the present positions without moving anything: the start of a run, or after a change of law or walls.
 void compute_forces(World& world);
 
-/// Contacts and lists anew from the present positions (history is kept).
-void rebuild_lists(World& world);
+/// The phases of a step, in order, as the benchmark names them.
+bool kick_and_drift(World& world);   ///< true when a cluster or a wall left its margin
+void refresh_lists(World& world);    ///< near slots from the pair list; that too when its skin is used up
+void place_balls(World& world);
+void press_pairs(World& world);
+void press_walls(World& world);
+void sum_loads(World& world);        ///< only with threads
 
 }  // namespace regolab::dem

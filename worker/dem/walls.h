@@ -1,12 +1,9 @@
-/// Six plane walls, axis-aligned, with the grains' own contact law and a list of the spheres near them.
+/// Six plane walls, axis-aligned, with the grains' own contact law.
 #pragma once
 #include <array>
-#include <cstdint>
 #include <limits>
-#include <vector>
 
 #include "worker/dem/bodies.h"
-#include "worker/dem/pair_list.h"
 
 namespace regolab::dem {
 
@@ -31,31 +28,30 @@ struct Walls {
   /// The floor ends here along x: beyond it grains fall past its edge [m].
   double floor_end = std::numeric_limits<double>::infinity();
 
-  std::vector<std::int32_t> sphere;  // [slots] near spheres, by wall then sphere
-  std::vector<std::int32_t> id;      // [slots] WallId
-  History history;                   // [slots]
-  std::array<double, kWalls> position_at_build{};
-
   Wall& operator[](int w) { return wall[static_cast<std::size_t>(w)]; }
   const Wall& operator[](int w) const { return wall[static_cast<std::size_t>(w)]; }
   template <class A>
-  void archive(A& ar) { ar(wall, floor_end, sphere, id, history, position_at_build); }
+  void archive(A& ar) { ar(wall, floor_end); }
 };
 
 inline int axis_of(int wall) { return wall / 2; }
 /// +1 for walls at the low end (their inward normal points along the axis), -1 at the high end.
 inline double inward(int wall) { return wall % 2 == 0 ? 1.0 : -1.0; }
 
-/// Where a sphere meets a wall: inward normal (unit, from wall to sphere) and overlap (negative = gap).
-struct WallGap {
-  double nx, ny, nz, overlap;
-};
-WallGap gap_to_wall(const Walls& walls, int id, double x, double y, double z, double radius);
+/// Inward unit normal of a wall.
+inline Vec3 normal_of(int wall) {
+  Vec3 n{0, 0, 0};
+  n[static_cast<std::size_t>(axis_of(wall))] = inward(wall);
+  return n;
+}
 
-/// Lists spheres of present clusters within `skin` of each wall; history is carried over.
-void build_wall_list(const Bodies& bodies, const Spheres& spheres, double skin, std::int64_t step, Walls& walls);
+/// Gap between a wall and a sphere [m]; overlapping when negative.
+double gap_to_wall(const Walls& walls, int id, double x, double y, double z, double radius);
 
-/// Moves the walls by one step.
-void move_walls(Walls& walls, double dt);
+/// Work done by the walls on the grains per time, by the forces of the last step [W].
+double wall_power(const Walls& walls);
+
+/// Moves the walls by one step; true when one went farther than `margin` since `from` [m].
+bool move_walls(double dt, double margin, const std::array<double, kWalls>& from, Walls& walls);
 
 }  // namespace regolab::dem

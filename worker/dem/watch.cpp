@@ -3,16 +3,18 @@
 #include <algorithm>
 #include <cmath>
 
+#include "worker/dem/contacts.h"
+
 namespace regolab::dem {
 namespace {
 
-double elastic_energy(const LinearLaw& law, const Contacts& contacts) {
+double elastic_energy(const LinearLaw& law, const std::vector<Contact>& contacts) {
   double sum = 0;
-  contacts.each([&](std::size_t k) {
-    sum += 0.5 * law.normal_stiffness * contacts.overlap[k] * contacts.overlap[k];
+  for (const Contact& c : contacts) {
+    sum += 0.5 * law.normal_stiffness * c.overlap * c.overlap;
     sum += 0.5 * law.tangential_stiffness *
-           (contacts.sx[k] * contacts.sx[k] + contacts.sy[k] * contacts.sy[k] + contacts.sz[k] * contacts.sz[k]);
-  });
+           (c.spring[0] * c.spring[0] + c.spring[1] * c.spring[1] + c.spring[2] * c.spring[2]);
+  }
   return sum;
 }
 
@@ -33,7 +35,7 @@ Energies energies(const World& world) {
     e.kinetic += kinetic_of(b, i);
     e.potential += b.mass[i] * world.gravity * b.z[i];
   }
-  e.elastic = elastic_energy(world.law, world.contacts) + elastic_energy(world.law, world.wall_contacts);
+  e.elastic = elastic_energy(world.law, contacts(world)) + elastic_energy(world.law, wall_contacts(world));
   return e;
 }
 
@@ -43,14 +45,14 @@ double unbalanced_force_ratio(const World& world) {
   int free_bodies = 0;
   for (std::size_t i = 0; i < b.x.size(); ++i) {
     if (!present(b, i)) continue;
-    net += std::hypot(b.fx[i], b.fy[i], b.fz[i] - b.mass[i] * world.gravity);
+    net += std::hypot(b.load[i].fx, b.load[i].fy, b.load[i].fz - b.mass[i] * world.gravity);
     ++free_bodies;
   }
   double contact = 0;
   std::size_t n = 0;
-  for (const Contacts* c : {&world.contacts, &world.wall_contacts}) {
-    c->each([&](std::size_t k) { contact += std::hypot(c->fx[k], c->fy[k], c->fz[k]); });
-    n += c->count();
+  for (const auto& touching : {contacts(world), wall_contacts(world)}) {
+    for (const Contact& c : touching) contact += std::hypot(c.force[0], c.force[1], c.force[2]);
+    n += touching.size();
   }
   if (free_bodies == 0 || n == 0 || contact == 0) return 0;
   return (net / free_bodies) / (contact / static_cast<double>(n));
@@ -58,23 +60,17 @@ double unbalanced_force_ratio(const World& world) {
 
 double deepest_overlap(const World& world) {
   double deepest = 0;
-  const Spheres& s = world.spheres;
-  world.contacts.each([&](std::size_t k) {
-    const auto p = static_cast<std::size_t>(world.contacts.slot[k]);
-    const double ra = s.radius[static_cast<std::size_t>(world.pairs.a[p])];
-    const double rb = s.radius[static_cast<std::size_t>(world.pairs.b[p])];
-    deepest = std::max(deepest, world.contacts.overlap[k] / std::min(ra, rb));
-  });
-  world.wall_contacts.each([&](std::size_t k) {
-    const auto p = static_cast<std::size_t>(world.wall_contacts.slot[k]);
-    deepest = std::max(deepest, world.wall_contacts.overlap[k] / s.radius[static_cast<std::size_t>(world.walls.sphere[p])]);
-  });
+  const auto radius = [&](std::int32_t sphere) { return world.spheres.radius[static_cast<std::size_t>(sphere)]; };
+  for (const Contact& c : contacts(world)) {
+    deepest = std::max(deepest, c.overlap / std::min(radius(c.sphere_a), radius(c.sphere_b)));
+  }
+  for (const Contact& c : wall_contacts(world)) deepest = std::max(deepest, c.overlap / radius(c.sphere_a));
   return deepest;
 }
 
 Vec3 contact_force_on(const World& world, int body) {
   const auto i = static_cast<std::size_t>(body);
-  return {world.bodies.fx[i], world.bodies.fy[i], world.bodies.fz[i]};
+  return {world.bodies.load[i].fx, world.bodies.load[i].fy, world.bodies.load[i].fz};
 }
 
 bool finite(const World& world) {

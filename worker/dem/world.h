@@ -1,11 +1,13 @@
-/// All state of a simulation; a stage has only settings. What stands here is what a checkpoint holds.
+/// All state of a simulation; a stage has only settings. What `archive` names is what a checkpoint holds: the rest follows.
 #pragma once
 #include <cstdint>
 
 #include "worker/dem/bodies.h"
-#include "worker/dem/contacts.h"
+#include "worker/dem/forces.h"
 #include "worker/dem/laws/linear.h"
+#include "worker/dem/near_list.h"
 #include "worker/dem/pair_list.h"
+#include "worker/dem/springs.h"
 #include "worker/dem/walls.h"
 
 namespace regolab::dem {
@@ -18,24 +20,36 @@ struct World {
   double gravity = 0;        ///< magnitude, along -z [m/s2]
   double dt = 0;             ///< [s]
   double drag = 0;           ///< share of velocity and spin taken per second, to quench residual motion [1/s]
-  double skin = 0;           ///< of the near lists [m]
+  double skin = 0;           ///< of the pair list [m]
   std::int64_t step = 0;
   double time = 0;           ///< [s]
   double wall_work = 0;      ///< done by moving walls on the grains so far [J]
-
-  PairList pairs;
-  Poses at_build;            ///< where the clusters were when the lists were built
-  bool lists_stale = true;
-
-  // Derived each step; not saved.
-  Contacts contacts, wall_contacts;
-  CellGrid grid;
   int threads = 1;
-  std::int64_t list_builds = 0;
+  bool lists_stale = true;   ///< set it after adding clusters, or taking them away
+
+  // Follows from the state; not saved, and not seen in the results.
+  PairList pairs;            ///< within the skin
+  Margins margins;
+  double wall_margin = 0;    ///< [m]
+  std::array<double, kWalls> walls_at_refresh{};  ///< [m]
+  Slots near_pairs, near_walls;
+  Balls balls;
+  Shares shares;             ///< for threads
+  Centres centres;           ///< of the last refresh
+  Springs pair_springs, wall_springs;  ///< between two sets of slots, and in checkpoints
+  std::int64_t list_builds = 0, refreshes = 0;
 
   template <class A>
   void archive(A& ar) {
-    ar(bodies, spheres, walls, law, gravity, dt, drag, skin, step, time, wall_work, pairs, at_build, lists_stale);
+    if constexpr (!A::kLoading) hold_springs();
+    ar(bodies, spheres, walls, law, gravity, dt, drag, skin, step, time, wall_work, pair_springs, wall_springs);
+    if constexpr (A::kLoading) lists_stale = true;
+  }
+
+  /// Copies the springs out of the slots, where the slots have them.
+  void hold_springs() {
+    if (near_pairs.hold_springs) take_springs(near_pairs, pair_springs);
+    if (near_walls.hold_springs) take_springs(near_walls, wall_springs);
   }
 };
 

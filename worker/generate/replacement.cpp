@@ -82,12 +82,13 @@ void replace_parents(const Parents& parents, const Micro& micro, double mass_flo
 double deepest_overlap_between_clusters(const dem::World& world) {
   const dem::Spheres& s = world.spheres;
   dem::PairList pairs;
-  dem::CellGrid grid;
-  dem::build_pairs(world.bodies, s, 0.0, 0, grid, pairs);
+  const dem::Centres at = dem::sphere_centres(world.bodies, s);
+  constexpr double kAtRest = 1;  // nothing turns: any time will do
+  dem::build_pairs(world.bodies, s, at, 0.0, kAtRest, pairs);
   double deepest = -std::numeric_limits<double>::infinity();
   for (std::size_t k = 0; k < pairs.a.size(); ++k) {
     const auto a = static_cast<std::size_t>(pairs.a[k]), b = static_cast<std::size_t>(pairs.b[k]);
-    const double distance = std::hypot(s.x[a] - s.x[b], s.y[a] - s.y[b], s.z[a] - s.z[b]);
+    const double distance = std::hypot(at.x[a] - at.x[b], at.y[a] - at.y[b], at.z[a] - at.z[b]);
     deepest = std::max(deepest, pairs.sum_of_radii[k] - distance);
   }
   return deepest;

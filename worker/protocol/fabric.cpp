@@ -6,6 +6,7 @@
 #include <set>
 
 #include "vocab/units.h"
+#include "worker/dem/contacts.h"
 #include "worker/dem/step.h"
 #include "worker/protocol/surface.h"
 
@@ -23,31 +24,28 @@ struct Counts {
   double clusters = 0;
 };
 
-Counts count(const dem::World& w) {
+Counts count(const dem::World& w, const std::vector<dem::Contact>& contacts) {
   const auto n = static_cast<std::size_t>(w.bodies.count());
   std::vector<int> touches(n, 0);
   std::set<std::pair<int, int>> neighbours;
   Counts out{.clusters = static_cast<double>(n)};
-  w.contacts.each([&](std::size_t k) {
-    const int a = w.contacts.body_a[k], b = w.contacts.body_b[k];
+  const auto of = [&](int body) -> int& { return touches[static_cast<std::size_t>(body)]; };
+  for (const dem::Contact& c : contacts) {
     ++out.contacts;
-    ++touches[static_cast<std::size_t>(a)];
-    ++touches[static_cast<std::size_t>(b)];
-    neighbours.insert({std::min(a, b), std::max(a, b)});
-  });
-  w.wall_contacts.each([&](std::size_t k) { ++touches[static_cast<std::size_t>(w.wall_contacts.body_a[k])]; });
+    ++of(c.body_a);
+    ++of(c.body_b);
+    neighbours.insert(std::minmax(c.body_a, c.body_b));
+  }
+  for (const dem::Contact& c : dem::wall_contacts(w)) ++of(c.body_a);
   out.neighbours = static_cast<double>(neighbours.size());
   out.rattlers = static_cast<double>(std::count_if(touches.begin(), touches.end(), [](int t) { return t < kFewestContacts; }));
-  w.contacts.each([&](std::size_t k) {
-    out.contacts_of_bearers += touches[static_cast<std::size_t>(w.contacts.body_a[k])] >= kFewestContacts &&
-                               touches[static_cast<std::size_t>(w.contacts.body_b[k])] >= kFewestContacts;
-  });
+  for (const dem::Contact& c : contacts) out.contacts_of_bearers += of(c.body_a) >= kFewestContacts && of(c.body_b) >= kFewestContacts;
   return out;
 }
 
 /// Shares of contact normals over the horizontal angle (in the base plane, 0 to 180 deg: a normal has no sign) and the vertical
 /// angle (from the base plane, 0 to 90 deg).
-std::pair<Curve, Curve> contact_angles(const dem::World& w) {
+std::pair<Curve, Curve> contact_angles(const std::vector<dem::Contact>& contacts) {
   Curve horizontal{"contact_angle_horizontal", "settle", "horizontal_angle", "rad", "share_of_contacts", "1", {}, {}};
   Curve vertical{"contact_angle_vertical", "settle", "vertical_angle", "rad", "share_of_contacts", "1", {}, {}};
   const double bin_h = std::numbers::pi / kAngleBins, bin_v = 0.5 * std::numbers::pi / kAngleBins;
@@ -57,16 +55,16 @@ std::pair<Curve, Curve> contact_angles(const dem::World& w) {
   }
   horizontal.y.assign(kAngleBins, 0.0);
   vertical.y.assign(kAngleBins, 0.0);
-  const double share = 1.0 / std::max<double>(1.0, static_cast<double>(w.contacts.count()));
+  const double share = 1.0 / std::max<double>(1.0, static_cast<double>(contacts.size()));
   const auto add = [&](Curve& curve, double angle, double bin) {
     curve.y[static_cast<std::size_t>(std::clamp(static_cast<int>(angle / bin), 0, kAngleBins - 1))] += share;
   };
-  w.contacts.each([&](std::size_t k) {
-    double azimuth = std::atan2(w.contacts.ny[k], w.contacts.nx[k]);
+  for (const dem::Contact& c : contacts) {
+    double azimuth = std::atan2(c.normal[1], c.normal[0]);
     if (azimuth < 0) azimuth += std::numbers::pi;
     add(horizontal, azimuth, bin_h);
-    add(vertical, std::asin(std::min(1.0, std::abs(w.contacts.nz[k]))), bin_v);
-  });
+    add(vertical, std::asin(std::min(1.0, std::abs(c.normal[2]))), bin_v);
+  }
   return {horizontal, vertical};
 }
 
@@ -80,8 +78,9 @@ double mean_of(const Curve& histogram) {
 
 StageResult measure_fabric(Bed& bed) {
   dem::compute_forces(bed.world);
-  const Counts c = count(bed.world);
-  auto [horizontal, vertical] = contact_angles(bed.world);
+  const std::vector<dem::Contact> contacts = dem::contacts(bed.world);
+  const Counts c = count(bed.world, contacts);
+  auto [horizontal, vertical] = contact_angles(contacts);
   const double height = mean_height(bed), top = highest_point(bed);
   const double base = bed.length * bed.width, density = bed.micro.grain_density;
   const double bearers = std::max(1.0, c.clusters - c.rattlers);

@@ -9,8 +9,9 @@ namespace {
 template <class Visit>
 void each_present_sphere(const Bed& bed, Visit visit) {
   const auto& s = bed.world.spheres;
-  for (std::size_t i = 0; i < s.x.size(); ++i) {
-    if (!bed.world.bodies.gone[static_cast<std::size_t>(s.body[i])]) visit(s.x[i], s.y[i], s.z[i], s.radius[i]);
+  const dem::Centres at = dem::sphere_centres(bed.world.bodies, s);
+  for (std::size_t i = 0; i < at.x.size(); ++i) {
+    if (!bed.world.bodies.gone[static_cast<std::size_t>(s.body[i])]) visit(at.x[i], at.y[i], at.z[i], s.radius[i]);
   }
 }
 

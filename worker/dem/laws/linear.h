@@ -1,8 +1,6 @@
 /// Linear spring and dashpot, normal and tangential, with Coulomb's cap [article Sec. 2.1, Fig. 2 left, Eq. 1; protocols 2].
 #pragma once
-#include <cmath>
-
-#include "worker/dem/hot.h"
+#include "worker/dem/pack.h"
 
 namespace regolab::dem {
 
@@ -22,44 +20,48 @@ struct LinearLaw {
   }
 };
 
-/// One contact's numbers. n points from b to a; v is the velocity of a relative to b at the contact point; f acts on a.
+/// One contact's numbers, or four of them. n points from b to a; v is the velocity of a relative to b at the contact point; f
+/// acts on a.
+template <class Real>
 struct ContactPoint {
-  double nx, ny, nz, overlap;
-  double vx, vy, vz;
-  double sx, sy, sz;          ///< tangential spring: in, as left by the last step; out, advanced
-  double fx, fy, fz;          ///< out
+  Real nx, ny, nz, overlap;
+  Real vx, vy, vz;
+  Real sx, sy, sz;          ///< tangential spring: in, as left by the last step; out, advanced
+  Real fx{}, fy{}, fz{};    ///< out
 };
 
 inline constexpr double kTiny = 1e-300;  ///< keeps a division finite without a branch
 
 /// Never pulls. The spring turns with the tangent plane and keeps its length; while sliding the whole tangential force is at
-/// the cap and the spring is cut back to it (the dashpot is off). Selects, no branches: loops over contacts vectorise.
-REGOLAB_INLINE void linear_contact(const LinearLaw& law, double friction, double root_mass, double dt, ContactPoint& c) noexcept {
-  const double vn = c.vx * c.nx + c.vy * c.ny + c.vz * c.nz;
-  const double pushed = law.normal_stiffness * c.overlap - law.normal_damping * root_mass * vn;
-  const double fn = pushed > 0.0 ? pushed : 0.0;
-  const double ux = c.vx - vn * c.nx, uy = c.vy - vn * c.ny, uz = c.vz - vn * c.nz;
+/// the cap and the spring is cut back to it (the dashpot is off). Selects, no branches.
+template <class Real>
+REGOLAB_INLINE void linear_contact(const LinearLaw& law, const Real& friction, const Real& root_mass, double dt,
+                                   ContactPoint<Real>& c) noexcept {
+  const Real zero{}, one = zero + 1.0, tiny = zero + kTiny;
+  const Real vn = c.vx * c.nx + c.vy * c.ny + c.vz * c.nz;
+  const Real pushed = law.normal_stiffness * c.overlap - law.normal_damping * root_mass * vn;
+  const Real fn = select(pushed > zero, pushed, zero);
+  const Real ux = c.vx - vn * c.nx, uy = c.vy - vn * c.ny, uz = c.vz - vn * c.nz;
 
-  const double along = c.sx * c.nx + c.sy * c.ny + c.sz * c.nz;
-  const double px = c.sx - along * c.nx, py = c.sy - along * c.ny, pz = c.sz - along * c.nz;
-  const double before = c.sx * c.sx + c.sy * c.sy + c.sz * c.sz;
-  const double after = px * px + py * py + pz * pz;
-  const double keep = std::sqrt(before / (after > kTiny ? after : kTiny));
-  const double sx = px * keep + ux * dt, sy = py * keep + uy * dt, sz = pz * keep + uz * dt;
+  const Real along = c.sx * c.nx + c.sy * c.ny + c.sz * c.nz;
+  const Real length2 = c.sx * c.sx + c.sy * c.sy + c.sz * c.sz;
+  const Real tilt2 = along * along / select(length2 > tiny, length2, tiny);  // sine squared out of the tangent plane
+  const Real keep = one + tilt2 * (0.5 + 0.375 * tilt2);  // 1/sqrt(1 - tilt2), to round-off below 3 mrad a step
+  const Real sx = (c.sx - along * c.nx) * keep + dt * ux, sy = (c.sy - along * c.ny) * keep + dt * uy,
+             sz = (c.sz - along * c.nz) * keep + dt * uz;
 
-  const double damping = law.tangential_damping * root_mass;
-  const double tx = -law.tangential_stiffness * sx - damping * ux;
-  const double ty = -law.tangential_stiffness * sy - damping * uy;
-  const double tz = -law.tangential_stiffness * sz - damping * uz;
-  const double size2 = tx * tx + ty * ty + tz * tz;
-  const double cap = friction * fn;
-  const bool slides = size2 > cap * cap;
-  const double to_cap = cap / std::sqrt(size2 > kTiny ? size2 : kTiny);
-  const double cut = slides ? to_cap : 1.0;
-  const double back = -1.0 / law.tangential_stiffness;
-  c.sx = slides ? back * cut * tx : sx;
-  c.sy = slides ? back * cut * ty : sy;
-  c.sz = slides ? back * cut * tz : sz;
+  const Real damping = law.tangential_damping * root_mass;
+  const Real tx = -law.tangential_stiffness * sx - damping * ux;
+  const Real ty = -law.tangential_stiffness * sy - damping * uy;
+  const Real tz = -law.tangential_stiffness * sz - damping * uz;
+  const Real size2 = tx * tx + ty * ty + tz * tz;
+  const Real cap = friction * fn;
+  const auto slides = size2 > cap * cap;
+  const Real cut = select(slides, cap / root(select(size2 > tiny, size2, tiny)), one);
+  const double compliance = -1.0 / law.tangential_stiffness;
+  c.sx = select(slides, compliance * cut * tx, sx);
+  c.sy = select(slides, compliance * cut * ty, sy);
+  c.sz = select(slides, compliance * cut * tz, sz);
   c.fx = fn * c.nx + cut * tx;
   c.fy = fn * c.ny + cut * ty;
   c.fz = fn * c.nz + cut * tz;

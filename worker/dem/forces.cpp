@@ -1,0 +1,305 @@
+#include "worker/dem/forces.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "worker/dem/records.h"
+
+namespace regolab::dem {
+namespace {
+
+/// Slots are worked through in blocks that stay in the first cache, phase by phase: measure, law, add. One loop over everything would
+/// be a chain too long for the processor to overlap (measured: 1.6 times slower).
+constexpr std::size_t kBlock = 64;
+
+struct Axes {
+  alignas(64) double x[kBlock], y[kBlock], z[kBlock];
+};
+struct Block {
+  std::size_t first = 0;  ///< slot
+  std::size_t count = 0;  ///< slots; the phases before the last work on whole packs
+  Axes normal, arm_a, arm_b, velocity, force;
+  alignas(64) double overlap[kBlock];  ///< not positive: does not touch
+  alignas(64) double friction[kBlock];
+};
+
+template <class P>
+REGOLAB_INLINE Triple<P> load3(const Axes& a, std::size_t k) { return {load<P>(a.x + k), load<P>(a.y + k), load<P>(a.z + k)}; }
+template <class P>
+REGOLAB_INLINE void store3(const Triple<P>& v, Axes& a, std::size_t k) { store(v.x, a.x + k), store(v.y, a.y + k), store(v.z, a.z + k); }
+
+template <class P, class Visit>
+REGOLAB_INLINE void each_pack(const Block& block, Visit visit) {
+  for (std::size_t k = 0; k < block.count; k += static_cast<std::size_t>(kLanes<P>)) visit(k);
+}
+
+/// One side of a pack of contacts: sphere centre and radius, its offset from the centre of mass, velocities.
+template <class P>
+struct Side {
+  Triple<P> at;
+  P radius;
+  Triple<P> offset, velocity, spin;
+};
+
+template <class P>
+REGOLAB_INLINE Side<P> side_of(const Quad* at, const Motion* motion, const std::int32_t* ball, const std::int32_t* body) {
+  const auto sphere = gathered<P>([=](int l) REGOLAB_INLINE_LAMBDA { return at[ball[l]].v; });
+  const auto centre = gathered<P>([=](int l) REGOLAB_INLINE_LAMBDA { return motion[body[l]].centre.v; });
+  const auto velocity = gathered<P>([=](int l) REGOLAB_INLINE_LAMBDA { return motion[body[l]].velocity.v; });
+  const auto spin = gathered<P>([=](int l) REGOLAB_INLINE_LAMBDA { return motion[body[l]].spin.v; });
+  return {sphere.xyz, sphere.fourth, sphere.xyz - centre.xyz, velocity.xyz, spin.xyz};
+}
+
+template <class P>
+REGOLAB_INLINE Triple<P> velocity_at(const Side<P>& s, const Triple<P>& arm) { return s.velocity + cross(s.spin, arm); }
+
+template <class P>
+REGOLAB_INLINE void measure_pairs(const ForceInput& in, const Slots& s, Block& block) {
+  const Quad* at = in.balls.at.data();
+  const Motion* motion = in.bodies.motion.data();
+  const std::int32_t *ball_a = s.ball_a.data() + block.first, *ball_b = s.ball_b.data() + block.first;
+  const std::int32_t *body_a = s.body_a.data() + block.first, *body_b = s.body_b.data() + block.first;
+  each_pack<P>(block, [&](std::size_t k) REGOLAB_INLINE_LAMBDA {
+    const auto a = side_of<P>(at, motion, ball_a + k, body_a + k), b = side_of<P>(at, motion, ball_b + k, body_b + k);
+    const Triple<P> d = a.at - b.at;
+    const P reach = a.radius + b.radius, distance = root(dot(d, d)), one = pack_of<P>(1.0);
+    const auto apart = distance > 0.0;  // centres on one another have no normal: they do not touch
+    const Triple<P> n = (one / select(apart, distance, one)) * d;
+    const P overlap = select(apart, reach - distance, P{}), half = 0.5 * overlap;  // contact point: middle of the overlap
+    const Triple<P> arm_a = a.offset + (half - a.radius) * n, arm_b = b.offset + (b.radius - half) * n;
+    store(overlap, block.overlap + k);
+    store(pack_of<P>(in.law.friction), block.friction + k);
+    store3(n, block.normal, k);
+    store3(arm_a, block.arm_a, k);
+    store3(arm_b, block.arm_b, k);
+    store3(velocity_at(a, arm_a) - velocity_at(b, arm_b), block.velocity, k);
+  });
+}
+
+/// The walls as records: inward normal and its offset from the origin; velocity and friction.
+struct WallRecords {
+  explicit WallRecords(const Walls& walls) : floor_ends(std::isfinite(walls.floor_end)), end(walls.floor_end), top(walls[kFloor].position) {
+    for (int id = 0; id < kWalls; ++id) {
+      const Vec3 n = normal_of(id);
+      Quad &p = plane[id], &m = motion[id];
+      std::copy(n.begin(), n.end(), p.v);
+      p.v[3] = inward(id) * walls[id].position;
+      m.v[axis_of(id)] = walls[id].velocity;
+      m.v[3] = walls[id].friction;
+    }
+  }
+  Quad plane[kWalls], motion[kWalls];
+  bool floor_ends;
+  double end, top;  ///< of a floor that ends [m]
+};
+
+template <class P>
+struct FromWall {
+  Triple<P> n;
+  P distance;  ///< from the surface to the sphere's centre
+};
+
+/// A floor that ends is a solid block: its top, its edge, and the face below the edge.
+template <class P>
+REGOLAB_INLINE FromWall<P> from_block(const WallRecords& walls, const Triple<P>& at) {
+  const P dx = at.x - walls.end, dz = at.z - walls.top, edge = root(dx * dx + dz * dz), zero{}, one = pack_of<P>(1.0);
+  const auto at_edge = (dx > zero) & (dz > zero), at_face = dx > dz;
+  const P per_edge = one / select(edge > zero, edge, one);
+  return {{select(at_edge, dx * per_edge, select(at_face, one, zero)), zero,
+           select(at_edge, dz * per_edge, select(at_face, zero, one))},
+          select(at_edge, edge, select(at_face, dx, dz))};
+}
+
+template <class P>
+REGOLAB_INLINE FromWall<P> from_wall(const WallRecords& walls, const std::int32_t* id, const Triple<P>& at) {
+  const auto plane = gathered<P>([&](int l) REGOLAB_INLINE_LAMBDA { return walls.plane[id[l]].v; });
+  const FromWall<P> flat{plane.xyz, dot(plane.xyz, at) - plane.fourth};
+  if (!walls.floor_ends) return flat;
+  const FromWall<P> block = from_block(walls, at);
+  const auto floor = plane.xyz.z > 0.0;
+  return {{select(floor, block.n.x, flat.n.x), select(floor, block.n.y, flat.n.y), select(floor, block.n.z, flat.n.z)},
+          select(floor, block.distance, flat.distance)};
+}
+
+template <class P>
+REGOLAB_INLINE void measure_walls(const ForceInput& in, const WallRecords& walls, const Slots& s, Block& block) {
+  const Quad* at = in.balls.at.data();
+  const Motion* motion = in.bodies.motion.data();
+  const std::int32_t *ball = s.ball_a.data() + block.first, *body = s.body_a.data() + block.first, *id = s.first.data() + block.first;
+  each_pack<P>(block, [&](std::size_t k) REGOLAB_INLINE_LAMBDA {
+    const auto a = side_of<P>(at, motion, ball + k, body + k);
+    const auto wall = gathered<P>([&](int l) REGOLAB_INLINE_LAMBDA { return walls.motion[id[k + static_cast<std::size_t>(l)]].v; });
+    const FromWall<P> gap = from_wall(walls, id + k, a.at);
+    const Triple<P> arm = a.offset - gap.distance * gap.n;  // contact point: on the wall
+    store(a.radius - gap.distance, block.overlap + k);
+    store(wall.fourth, block.friction + k);
+    store3(gap.n, block.normal, k);
+    store3(arm, block.arm_a, k);
+    store3(velocity_at(a, arm) - wall.xyz, block.velocity, k);
+  });
+}
+
+/// Springs in and out of their slots; what does not touch leaves zeros.
+template <class P>
+REGOLAB_INLINE void apply_law(const LinearLaw& shared_law, double dt, Slots& s, Block& block) {
+  const LinearLaw law = shared_law;  // a copy: stores below cannot alias it
+  const auto in_slot = [&](std::vector<double>& field) REGOLAB_INLINE_LAMBDA { return field.data() + block.first; };
+  double *sx = in_slot(s.sx), *sy = in_slot(s.sy), *sz = in_slot(s.sz), *fx = in_slot(s.fx), *fy = in_slot(s.fy), *fz = in_slot(s.fz);
+  const double* root_mass = in_slot(s.root_mass);
+  each_pack<P>(block, [&](std::size_t k) REGOLAB_INLINE_LAMBDA {
+    const Triple<P> n = load3<P>(block.normal, k), v = load3<P>(block.velocity, k);
+    const P overlap = load<P>(block.overlap + k), zero{};
+    const auto touches = overlap > zero;
+    ContactPoint<P> c{n.x, n.y, n.z, overlap, v.x, v.y, v.z, load<P>(sx + k), load<P>(sy + k), load<P>(sz + k)};
+    linear_contact(law, load<P>(block.friction + k), load<P>(root_mass + k), dt, c);
+    store(select(touches, c.sx, zero), sx + k), store(select(touches, c.sy, zero), sy + k), store(select(touches, c.sz, zero), sz + k);
+    const Triple<P> f{select(touches, c.fx, zero), select(touches, c.fy, zero), select(touches, c.fz, zero)};
+    store(f.x, fx + k), store(f.y, fy + k), store(f.z, fz + k);
+    store3(f, block.force, k);
+  });
+}
+
+REGOLAB_INLINE void add(const Four& v, double* to) { store(load<Four>(to) + v, to); }
+REGOLAB_INLINE void take(const Four& v, double* from) { store(load<Four>(from) - v, from); }
+REGOLAB_INLINE int lanes_left(const Block& block, std::size_t k) { return static_cast<int>(std::min<std::size_t>(block.count - k, kMostLanes)); }
+
+/// Forces and torques onto both clusters, slot after slot.
+template <class P>
+REGOLAB_INLINE void add_pairs(const Slots& s, const Block& block, Load* load) {
+  const std::int32_t *body_a = s.body_a.data() + block.first, *body_b = s.body_b.data() + block.first;
+  each_pack<P>(block, [&](std::size_t k) REGOLAB_INLINE_LAMBDA {
+    const Triple<P> f = load3<P>(block.force, k);
+    const auto onto = [=](int l, const Four& force, const Four& on_a, const Four& on_b) REGOLAB_INLINE_LAMBDA {
+      Load &a = load[body_a[k + static_cast<std::size_t>(l)]], &b = load[body_b[k + static_cast<std::size_t>(l)]];
+      add(force, &a.fx), add(on_a, &a.tx);
+      take(force, &b.fx), add(on_b, &b.tx);
+    };
+    each_row(0, lanes_left(block, k), onto, rows_of(f), rows_of(cross(load3<P>(block.arm_a, k), f)),
+             rows_of(cross(f, load3<P>(block.arm_b, k))));
+  });
+}
+
+template <class P>
+REGOLAB_INLINE void add_walls(const Slots& s, const Block& block, Load* load) {
+  const std::int32_t* body_a = s.body_a.data() + block.first;
+  each_pack<P>(block, [&](std::size_t k) REGOLAB_INLINE_LAMBDA {
+    const Triple<P> f = load3<P>(block.force, k);
+    const auto onto = [=](int l, const Four& force, const Four& on_a) REGOLAB_INLINE_LAMBDA {
+      Load& a = load[body_a[k + static_cast<std::size_t>(l)]];
+      add(force, &a.fx), add(on_a, &a.tx);
+    };
+    each_row(0, lanes_left(block, k), onto, rows_of(f), rows_of(cross(load3<P>(block.arm_a, k), f)));
+  });
+}
+
+/// Torques into the slots, for sum_loads.
+template <class P>
+REGOLAB_INLINE void keep_torque(const Triple<P>& t, Torques& to, std::size_t k) {
+  store(t.x, to.x.data() + k), store(t.y, to.y.data() + k), store(t.z, to.z.data() + k);
+}
+template <class P>
+REGOLAB_INLINE void keep_torques(Slots& s, const Block& block, bool both_sides) {
+  each_pack<P>(block, [&](std::size_t k) REGOLAB_INLINE_LAMBDA {
+    const Triple<P> f = load3<P>(block.force, k);
+    keep_torque(cross(load3<P>(block.arm_a, k), f), s.torque_a, block.first + k);
+    if (both_sides) keep_torque(cross(f, load3<P>(block.arm_b, k)), s.torque_b, block.first + k);
+  });
+}
+
+/// Normal force and shear of each wall slot.
+template <class P>
+REGOLAB_INLINE void split_wall_forces(Slots& s, const Block& block) {
+  each_pack<P>(block, [&](std::size_t k) REGOLAB_INLINE_LAMBDA {
+    const Triple<P> f = load3<P>(block.force, k), n = load3<P>(block.normal, k);
+    const P normal = dot(f, n);
+    const Triple<P> t = f - normal * n;
+    store(select(load<P>(block.overlap + k) > 0.0, normal, pack_of<P>(kApart)), s.normal.data() + block.first + k);
+    store(root(dot(t, t)), s.shear.data() + block.first + k);
+  });
+}
+
+template <class Work>
+REGOLAB_INLINE void each_block(Stretch stretch, Work work) {
+  Block block;
+  for (block.first = stretch.begin; block.first < stretch.end; block.first += kBlock) {
+    block.count = std::min(kBlock, stretch.end - block.first);
+    work(block);
+  }
+}
+
+template <class P>
+REGOLAB_INLINE void press_pairs_with(const ForceInput& in, Stretch stretch, Slots& slots, Load* loads) {
+  each_block(stretch, [&](Block& block) REGOLAB_INLINE_LAMBDA {
+    measure_pairs<P>(in, slots, block);
+    apply_law<P>(in.law, in.dt, slots, block);
+    if (loads) add_pairs<P>(slots, block, loads);
+    else keep_torques<P>(slots, block, true);
+  });
+}
+
+template <class P>
+REGOLAB_INLINE void press_walls_with(const ForceInput& in, const Walls& walls, Stretch stretch, Slots& slots, Load* loads) {
+  const WallRecords records(walls);
+  each_block(stretch, [&](Block& block) REGOLAB_INLINE_LAMBDA {
+    measure_walls<P>(in, records, slots, block);
+    apply_law<P>(in.law, in.dt, slots, block);
+    split_wall_forces<P>(slots, block);
+    if (loads) add_walls<P>(slots, block, loads);
+    else keep_torques<P>(slots, block, false);
+  });
+}
+
+}  // namespace
+
+REGOLAB_HOT(void, press_pairs, (const ForceInput& in, Stretch stretch, Slots& slots, Load* loads), (in, stretch, slots, loads))
+REGOLAB_HOT(void, press_walls, (const ForceInput& in, const Walls& walls, Stretch stretch, Slots& slots, Load* loads),
+            (in, walls, stretch, slots, loads))
+
+void list_shares(const Slots& pairs, const Slots& walls, std::size_t n_bodies, Shares& shares) {
+  shares.first.assign(n_bodies + 2, 0);
+  const auto at = [&](std::int32_t body) -> std::int32_t& { return shares.first[static_cast<std::size_t>(body) + 2]; };
+  for (std::size_t k = 0; k < pairs.count; ++k) ++at(pairs.body_a[k]), ++at(pairs.body_b[k]);
+  for (std::size_t k = 0; k < walls.count; ++k) ++at(walls.body_a[k]);
+  for (std::size_t i = 2; i < shares.first.size(); ++i) shares.first[i] += shares.first[i - 1];
+  shares.slot.resize(2 * pairs.count + walls.count);
+  const auto put = [&](std::int32_t body, std::size_t share) {
+    shares.slot[static_cast<std::size_t>(shares.first[static_cast<std::size_t>(body) + 1]++)] = static_cast<std::int32_t>(share);
+  };
+  for (std::size_t k = 0; k < pairs.count; ++k) put(pairs.body_a[k], 2 * k), put(pairs.body_b[k], 2 * k + 1);
+  for (std::size_t k = 0; k < walls.count; ++k) put(walls.body_a[k], ~k);
+}
+
+void sum_loads(const Shares& shares, const Slots& pairs, const Slots& walls, std::size_t begin, std::size_t end,
+               std::vector<Load>& loads) {
+  for (std::size_t i = begin; i < end; ++i) {
+    Load sum;
+    const auto add_slot = [&](double sign, const Slots& s, const Torques& torque, std::size_t k) {
+      sum.fx += sign * s.fx[k], sum.fy += sign * s.fy[k], sum.fz += sign * s.fz[k];
+      sum.tx += torque.x[k], sum.ty += torque.y[k], sum.tz += torque.z[k];
+    };
+    for (auto n = static_cast<std::size_t>(shares.first[i]); n < static_cast<std::size_t>(shares.first[i + 1]); ++n) {
+      const std::int32_t share = shares.slot[n];
+      if (share < 0) {
+        add_slot(1.0, walls, walls.torque_a, static_cast<std::size_t>(~share));
+        continue;
+      }
+      const auto k = static_cast<std::size_t>(share / 2);
+      if (share % 2 == 0) add_slot(1.0, pairs, pairs.torque_a, k);
+      else add_slot(-1.0, pairs, pairs.torque_b, k);
+    }
+    loads[i] = sum;
+  }
+}
+
+void sum_wall_forces(const Slots& slots, Walls& walls) {
+  for (Wall& wall : walls.wall) wall.force = wall.shear = 0.0, wall.contacts = 0;
+  for (std::size_t k = 0; k < slots.count; ++k) {
+    if (slots.normal[k] == kApart) continue;
+    Wall& wall = walls[slots.first[k]];
+    wall.force += slots.normal[k];
+    wall.shear += slots.shear[k];
+    ++wall.contacts;
+  }
+}
+
+}  // namespace regolab::dem

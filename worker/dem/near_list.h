@@ -1,0 +1,67 @@
+/// What may touch in the next steps: the listed pairs and wall contacts closer than their margins, each in a slot that keeps its
+/// spring in place, and the few spheres they need.
+#pragma once
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "worker/dem/laws/linear.h"
+#include "worker/dem/margins.h"
+#include "worker/dem/pair_list.h"
+#include "worker/dem/springs.h"
+#include "worker/dem/walls.h"
+
+namespace regolab::dem {
+
+/// The spheres of the near slots alone, side by side: only they are placed each step.
+struct Balls {
+  std::vector<std::int32_t> sphere, body;  // [n_balls] in the order of the spheres
+  std::vector<Quad> offset;                // [n_balls] from the centre of mass in the principal frame, and radius [m]
+  std::vector<Quad> at;                    // [n_balls] in space, and radius [m]
+  std::vector<std::int32_t> of_sphere;     // [n_spheres] ball of a sphere; only those listed are meant
+};
+
+inline constexpr double kApart = -1.0;  ///< stands for the normal force of a wall slot that does not touch; none is negative
+
+/// About the centres of mass [N m].
+struct Torques {
+  std::vector<double> x, y, z;
+};
+
+/// Near pairs, or near wall contacts (then `first` is the wall, and nothing stands under b). A slot that does not touch holds
+/// zeros. Arrays have room for a whole pack past the count, and the indices there repeat the last.
+struct Slots {
+  std::size_t count = 0;
+  std::vector<std::int32_t> first, second;   // [count] sphere and sphere, or wall and sphere: the canonical order
+  std::vector<std::int32_t> body_a, body_b;  // [count]
+  std::vector<std::int32_t> ball_a, ball_b;  // [count]
+  std::vector<double> root_mass;             // [count] see LinearLaw
+  std::vector<double> sx, sy, sz;            // [count] spring [m]
+  std::vector<double> fx, fy, fz;            // [count] force on a in the last step [N]
+  Torques torque_a, torque_b;                // [count] where threads share a step
+  std::vector<double> normal, shear;         // [count] walls: normal force or kApart, and size of the rest [N]
+  bool hold_springs = false;                 ///< false until springs were given to these slots
+};
+
+/// Listed pairs whose gap is below the sum of their clusters' margins.
+void list_near_pairs(const PairList& pairs, const Spheres& spheres, const Centres& at, const Margins& margins, Slots& slots);
+
+/// Wall contacts whose gap is below the cluster's margin and the walls'.
+void list_near_walls(const Bodies& bodies, const Spheres& spheres, const Centres& at, const Walls& walls, const Margins& margins,
+                     double wall_margin, Slots& slots);
+
+/// What the law needs besides the motion; springs relaxed.
+void fill_pair_slots(const LinearLaw& law, const Bodies& bodies, Slots& slots);
+void fill_wall_slots(const LinearLaw& law, const Bodies& bodies, Slots& slots);
+
+/// The spheres that the slots name, and where each slot finds its own.
+void collect_balls(const Spheres& spheres, Slots& pairs, Slots& walls, Balls& balls);
+
+/// All balls to where their clusters are. REQUIRES: motion and turn are published.
+void place_balls(const Bodies& bodies, std::size_t begin, std::size_t end, Balls& balls);
+
+/// Springs of the slots that touch, in canonical order; and back. Both are sorted alike, so one merge does it.
+void take_springs(const Slots& slots, Springs& springs);
+void give_springs(const Springs& springs, Slots& slots);
+
+}  // namespace regolab::dem
