@@ -16,6 +16,7 @@ const std::vector<FolderRule>& folder_rules() {
       {"worker/dem/laws", {"vocab/", "worker/dem/hot.h", "worker/dem/laws/"}},
       {"worker/dem", {"vocab/", "worker/dem/"}},
       {"worker/generate", {"vocab/", "worker/dem/", "worker/generate/"}},
+      {"worker/bench", {"vocab/", "worker/dem/", "worker/generate/", "worker/bench/"}},
       {"worker/protocol", {"vocab/", "worker/dem/", "worker/generate/", "worker/protocol/"}},
       {"worker/stage", {"vocab/", "digest/", "worker/dem/", "worker/generate/", "worker/protocol/", "worker/stage/"}},
       {"worker/output", {"vocab/", "digest/", "input/", "worker/stage/run_stage.h", "worker/output/"}},
