@@ -21,7 +21,7 @@ const std::vector<FolderRule>& folder_rules() {
       {"worker/stage", {"vocab/", "digest/", "worker/dem/", "worker/generate/", "worker/protocol/", "worker/stage/"}},
       {"worker/output", {"vocab/", "digest/", "input/", "worker/stage/run_stage.h", "worker/output/"}},
       {"worker/rpc", {"vocab/", "digest/", "rpc/", "regolab/v1/", "worker/stage/run_stage.h", "worker/rpc/"}},
-      {"worker", {"vocab/", "worker/stage/run_stage.h", "worker/output/", "worker/rpc/"}},
+      {"worker", {"vocab/", "worker/bench/", "worker/stage/run_stage.h", "worker/output/", "worker/rpc/"}},
       {"scheduler/design", {"vocab/", "input/", "scheduler/design/"}},
       {"scheduler/queue", {"vocab/", "digest/", "scheduler/queue/"}},
       {"scheduler/analysis", {"vocab/", "scheduler/analysis/"}},
