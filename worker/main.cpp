@@ -1,11 +1,14 @@
-/// The worker program: `run` does one job on this machine, `serve` works for a scheduler.
+/// The worker program: `run` does one job on this machine, `serve` works for a scheduler, `bench` times a step.
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
 #include <iostream>
 #include <map>
 #include <string>
+#include <thread>
 
+#include "vocab/profile.h"
+#include "worker/bench/report.h"
 #include "worker/output/run_command.h"
 #include "worker/output/signal_stop.h"
 #include "worker/rpc/serve.h"
@@ -33,6 +36,39 @@ int run(const RunCommand& command) {
   return run_command(command, doors, std::cout, std::cerr);
 }
 
+/// A line that is rewritten, on a terminal only.
+bench::OnProgress measuring_line(bool terminal) {
+  if (!terminal) return {};
+  return [shown = -1](double fraction) mutable {
+    const int percent = static_cast<int>(100 * fraction);
+    if (percent == shown) return;
+    shown = percent;
+    std::cerr << "\rmeasuring " << percent << " %" << (percent == 100 ? "\r               \r" : "") << std::flush;
+  };
+}
+
+int bench_machine(const bench::Study& study) {
+  const auto figure = bench::measure_machine({}, measuring_line(::isatty(STDERR_FILENO) == 1));
+  if (!figure) {
+    std::cerr << "regolab-worker: no bed to time (its parents found no room) please report this\n";
+    return kExitInternal;
+  }
+  std::cout << bench::report(*figure, study) << std::flush;
+  return kExitDone;
+}
+
+void add_study(CLI::App& verb, bench::Study& study) {
+  study.workers = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
+  verb.add_option("--profile", study.profile, "accuracy of the study to estimate: quick, standard or article")
+      ->check(CLI::IsMember(std::vector<std::string>(std::begin(kProfileNames), std::end(kProfileNames))))
+      ->capture_default_str();
+  verb.add_option("--rows", study.rows, "materials of the study")->check(CLI::Range(1, 4096))->capture_default_str();
+  verb.add_option("--seeds", study.seeds, "seeds per material")->check(CLI::Range(1, 10000))->capture_default_str();
+  verb.add_option("--workers", study.workers, "worker processes, one core each")
+      ->check(CLI::Range(1, 1024))
+      ->capture_default_str();
+}
+
 int parse_and_run(int argc, char** argv) {
   CLI::App app{"Regolab's DEM worker: lunar soil as rigid clusters of spheres"};
   app.set_version_flag("--version", "regolab-worker " + program_version());
@@ -54,11 +90,16 @@ int parse_and_run(int argc, char** argv) {
   add_common(serve_verb, serving.threads, serving.checkpoint_every_s);
   serve_verb.add_flag("--exit-with-parent", serving.exit_with_parent, "leave when the starting process is gone");
 
+  bench::Study study;
+  CLI::App& bench_verb = *app.add_subcommand("bench", "what a step costs on this machine, and how long a study would take");
+  add_study(bench_verb, study);
+
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? kExitDone : kExitUsage;  // --help and --version count as done
   }
+  if (bench_verb.parsed()) return bench_machine(study);
   return run_verb.parsed() ? run(command) : serve(serving);
 }
 

@@ -57,6 +57,12 @@ TEST_F(BadWorld, NobodyAtTheServerAddress) {
   EXPECT_THAT(ran.err, HasSubstr("regolab-scheduler --db FILE --listen 127.0.0.1:1"));
 }
 
+TEST_F(BadWorld, AnEstimateForAProfileThatIsNone) {
+  const Ran ran = shell("$worker bench --profile hasty");
+  EXPECT_EQ(ran.code, 2);
+  EXPECT_THAT(ran.err, HasSubstr("hasty not in {quick,standard,article}"));
+}
+
 TEST_F(BadWorld, AServerAddressThatIsNone) {
   const Ran ran = regolab("status --server localhost");
   EXPECT_EQ(ran.code, 2);
