@@ -63,8 +63,7 @@ double peak_ratio(int spaces, double friction, Turning turning) {
   const auto hold_and_step = [&](int axes) {
     for (int axis = 0; axis < axes; ++axis) protocol::hold_stress(servo, axis, drift[axis], world);
     if (turning == Turning::kHeld) {
-      for (auto* torque : {&world.bodies.tx, &world.bodies.ty, &world.bodies.tz})
-        std::fill(torque->begin(), torque->end(), 0.0);
+      for (dem::Load& on : world.bodies.load) on.tx = on.ty = on.tz = 0;
     }
     dem::step(world);
   };

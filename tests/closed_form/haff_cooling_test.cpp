@@ -97,7 +97,8 @@ void PeriodicGas::follow_owners() {
     b.x[i] = b.x[j] + images_[k].shift[0];
     b.y[i] = b.y[j] + images_[k].shift[1];
     b.z[i] = b.z[j] + images_[k].shift[2];
-    for (auto* state : {&b.vx, &b.vy, &b.vz, &b.fx, &b.fy, &b.fz}) (*state)[i] = (*state)[j];
+    for (auto* state : {&b.vx, &b.vy, &b.vz}) (*state)[i] = (*state)[j];
+    b.load[i] = b.load[j];
   }
 }
 

@@ -86,9 +86,9 @@ Loads sink(World& world, double way, double load = 0) {
   Loads mean;
   for (int s = 0; s < steps; ++s) {
     mean.floor += world.walls[dem::kFloor].force / steps;
-    mean.contacts += std::accumulate(b.fz.begin(), b.fz.end(), 0.0) / steps;
+    for (const dem::Load& on : b.load) mean.contacts += on.fz / steps;
     for (int w = dem::kLeft; w <= dem::kBack; ++w) mean.wall_normal += world.walls[w].force / steps;
-    for (const std::size_t i : highest) b.fz[i] -= load / 9;
+    for (const std::size_t i : highest) b.load[i].fz -= load / 9;
     dem::step(world);
   }
   mean.inertia = (total_momentum(world)[2] - before) / (steps * world.dt);

@@ -97,7 +97,7 @@ GrainBed at_whole_step(const World& world) {
   GrainBed bed = grains_of(world);
   for (std::size_t i = 0; i < bed.grains.size(); ++i) {
     const dem::Bodies& b = world.bodies;
-    const Vec3 force{b.fx[i], b.fy[i], b.fz[i] - b.mass[i] * world.gravity};
+    const Vec3 force{b.load[i].fx, b.load[i].fy, b.load[i].fz - b.mass[i] * world.gravity};
     bed.grains[i].velocity = bed.grains[i].velocity + (0.5 * world.dt * b.inverse_mass[i]) * force;
   }
   return bed;

@@ -12,15 +12,6 @@ namespace {
 
 constexpr const char* kColumns = "cluster,x_m,y_m,z_m,radius_m,vx,vy,vz,wx,wy,wz";
 
-/// Where each sphere is: the one place here that knows how the engine keeps them.
-std::vector<Vec3> sphere_centres(const dem::World& world) {
-  dem::Spheres placed = world.spheres;
-  dem::place_spheres(world.bodies, placed);
-  std::vector<Vec3> centres;
-  for (std::size_t s = 0; s < placed.x.size(); ++s) centres.push_back({placed.x[s], placed.y[s], placed.z[s]});
-  return centres;
-}
-
 Vec3 centre_of_mass(const Grain& grain) {
   Vec3 sum{};
   double volume = 0;
@@ -82,13 +73,14 @@ bool read_row(const std::string& line, GrainBed& bed) {
 
 GrainBed grains_of(const dem::World& world) {
   GrainBed bed{.length = world.walls[dem::kRight].position, .width = world.walls[dem::kBack].position};
-  const std::vector<Vec3> centres = sphere_centres(world);
+  const dem::Centres at = dem::sphere_centres(world.bodies, world.spheres);
   for (int body = 0; body < world.bodies.count(); ++body) {
     const auto i = static_cast<std::size_t>(body);
     Grain grain{.velocity = velocity(world, body), .spin = spin(world, body)};
     for (auto s = world.bodies.first_sphere[i]; s < world.bodies.first_sphere[i + 1]; ++s) {
-      grain.centre.push_back(centres[static_cast<std::size_t>(s)]);
-      grain.radius.push_back(world.spheres.radius[static_cast<std::size_t>(s)]);
+      const auto k = static_cast<std::size_t>(s);
+      grain.centre.push_back({at.x[k], at.y[k], at.z[k]});
+      grain.radius.push_back(world.spheres.radius[k]);
     }
     bed.grains.push_back(std::move(grain));
   }

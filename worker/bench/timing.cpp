@@ -3,6 +3,7 @@
 #include <time.h>
 
 #include "worker/bench/bed.h"
+#include "worker/dem/contacts.h"
 
 namespace regolab::bench {
 namespace {
@@ -25,7 +26,7 @@ StepCost time_steps(int warm_up, int steps, dem::World& world) {
 }
 
 TouchCount touches(const dem::World& world) {
-  return {.grains = static_cast<long>(world.contacts.count()), .walls = static_cast<long>(world.wall_contacts.count())};
+  return {.grains = static_cast<long>(dem::contacts(world).size()), .walls = static_cast<long>(dem::wall_contacts(world).size())};
 }
 
 }  // namespace regolab::bench

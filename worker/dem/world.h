@@ -43,7 +43,10 @@ struct World {
   void archive(A& ar) {
     if constexpr (!A::kLoading) hold_springs();
     ar(bodies, spheres, walls, law, gravity, dt, drag, skin, step, time, wall_work, pair_springs, wall_springs);
-    if constexpr (A::kLoading) lists_stale = true;
+    if constexpr (A::kLoading) {
+      publish_motion(bodies);
+      lists_stale = true;
+    }
   }
 
   /// Copies the springs out of the slots, where the slots have them.
