@@ -45,14 +45,15 @@ int run(const Wish& wish) {
     return 1;
   }
   dem::World world = world_of(*bed, wish);
-  const auto builds_before = world.list_builds;
+  const auto builds_before = world.list_builds, refreshes_before = world.refreshes;
   const bench::StepCost cost = bench::time_steps(kWarmUp, wish.steps, world);
   const bench::TouchCount touching = bench::touches(world);
   std::printf(
       "clusters=%d spheres=%d steps=%d threads=%d wall_us=%.3f cpu_us=%.3f contacts=%ld wall_contacts=%ld kinetic_J=%.9g "
-      "list_builds=%lld\n",
+      "near_pairs=%zu near_walls=%zu refreshes=%lld list_builds=%lld\n",
       world.bodies.count(), world.spheres.count(), wish.steps, wish.threads, cost.wall_us, cost.cpu_us, touching.grains,
-      touching.walls, dem::energies(world).kinetic, static_cast<long long>(world.list_builds - builds_before));
+      touching.walls, dem::energies(world).kinetic, world.near_pairs.count, world.near_walls.count,
+      static_cast<long long>(world.refreshes - refreshes_before), static_cast<long long>(world.list_builds - builds_before));
   return dem::finite(world) ? 0 : 1;
 }
 

@@ -58,13 +58,14 @@ World array(int spaces, double friction) {
 /// sigma_z / sigma_3 met.
 double peak_ratio(int spaces, double friction, Turning turning) {
   World world = array(spaces, friction);
+  if (turning == Turning::kHeld) {
+    auto& b = world.bodies;
+    for (auto* inverse : {&b.inverse_ix, &b.inverse_iy, &b.inverse_iz}) std::fill(inverse->begin(), inverse->end(), 0.0);
+  }
   const protocol::Servo servo{.wanted = kPressure, .most_speed = 0.1};
   double drift[3] = {0, 0, 0};
   const auto hold_and_step = [&](int axes) {
     for (int axis = 0; axis < axes; ++axis) protocol::hold_stress(servo, axis, drift[axis], world);
-    if (turning == Turning::kHeld) {
-      for (dem::Load& on : world.bodies.load) on.tx = on.ty = on.tz = 0;
-    }
     dem::step(world);
   };
   for (int i = 0; i < 8000; ++i) hold_and_step(3);

@@ -98,7 +98,8 @@ void PeriodicGas::follow_owners() {
     b.y[i] = b.y[j] + images_[k].shift[1];
     b.z[i] = b.z[j] + images_[k].shift[2];
     for (auto* state : {&b.vx, &b.vy, &b.vz}) (*state)[i] = (*state)[j];
-    b.load[i] = b.load[j];
+    b.load[i] = {};
+    dem::push_centre(b, static_cast<int>(i), {b.load[j].fx, b.load[j].fy, b.load[j].fz});
   }
 }
 

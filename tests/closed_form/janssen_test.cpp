@@ -88,7 +88,7 @@ Loads sink(World& world, double way, double load = 0) {
     mean.floor += world.walls[dem::kFloor].force / steps;
     for (const dem::Load& on : b.load) mean.contacts += on.fz / steps;
     for (int w = dem::kLeft; w <= dem::kBack; ++w) mean.wall_normal += world.walls[w].force / steps;
-    for (const std::size_t i : highest) b.load[i].fz -= load / 9;
+    for (const std::size_t i : highest) dem::push_centre(b, static_cast<int>(i), {0, 0, -load / 9});
     dem::step(world);
   }
   mean.inertia = (total_momentum(world)[2] - before) / (steps * world.dt);

@@ -107,7 +107,7 @@ TEST(SlideToRoll, EndsAtFiveSeventhsOfTheSpeedAfterTheClosedDistance) {
 void run_on_incline(World& world, int steps, double slope) {
   world.gravity = kGravity * std::cos(slope);
   for (int i = 0; i < steps; ++i) {
-    world.bodies.load[0].fx += world.bodies.mass[0] * kGravity * std::sin(slope);
+    dem::push_centre(world.bodies, 0, {world.bodies.mass[0] * kGravity * std::sin(slope), 0, 0});
     dem::step(world);
   }
 }

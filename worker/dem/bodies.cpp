@@ -47,7 +47,7 @@ void push_rigid_state(Bodies& b, const Eigen::Vector3d& centre, const Eigen::Qua
   }
   b.load.emplace_back();
   b.motion.emplace_back();
-  b.turn.emplace_back();
+  b.placing.emplace_back();
   b.gone.push_back(0);
 }
 
@@ -129,11 +129,13 @@ Centres sphere_centres(const Bodies& bodies, const Spheres& spheres) {
 
 void publish_motion(Bodies& b) {
   b.motion.resize(b.x.size());
-  b.turn.resize(b.x.size());
+  b.placing.resize(b.x.size());
   for (std::size_t i = 0; i < b.x.size(); ++i) {
-    b.motion[i] = {{b.x[i], b.y[i], b.z[i]}, {b.vx[i], b.vy[i], b.vz[i]}, {b.wx[i], b.wy[i], b.wz[i]}};
+    const Vec3 at_origin = point_velocity(b, i, -b.x[i], -b.y[i], -b.z[i]);
+    b.motion[i] = {{at_origin[0], at_origin[1], at_origin[2]}, {b.wx[i], b.wy[i], b.wz[i]}};
+    b.placing[i].centre = {b.x[i], b.y[i], b.z[i]};
     const auto r = rotation_of(b, static_cast<int>(i));
-    for (std::size_t k = 0; k < 3; ++k) b.turn[i].column[k] = {r[k], r[3 + k], r[6 + k]};
+    for (std::size_t k = 0; k < 3; ++k) b.placing[i].column[k] = {r[k], r[3 + k], r[6 + k]};
   }
 }
 

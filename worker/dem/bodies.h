@@ -22,20 +22,21 @@ struct ClusterSpec {
   double parent_diameter = 0;  ///< of the sphere it replaces [m]
 };
 
-/// Contact force [N] and torque about the centre of mass [N m] on a cluster.
+/// Contact force [N] on a cluster and torque about the origin [N m]: what one contact gives to its two sides is equal and opposite.
 struct alignas(64) Load {
   double fx = 0, fy = 0, fz = 0, unused_f = 0, tx = 0, ty = 0, tz = 0, unused_t = 0;
   template <class A>
   void archive(A& ar) { ar(fx, fy, fz, tx, ty, tz); }
 };
 
-/// What a contact asks of a cluster, in one record: centre of mass [m], velocity [m/s], angular velocity [1/s].
+/// What a contact asks of a cluster: the velocity of its body-fixed point that passes the origin, v - w x c [m/s], and its angular
+/// velocity [1/s]. A point p of it moves at origin_velocity + spin x p, wherever the centre c is.
 struct Motion {
-  Quad centre, velocity, spin;
+  Quad origin_velocity, spin;
 };
-/// Columns of the matrix that turns the principal frame into space.
-struct Turn {
-  Quad column[3];
+/// Where the spheres of a cluster go: its centre of mass [m] and the columns of the matrix that turns the principal frame into space.
+struct Placing {
+  Quad centre, column[3];
 };
 
 /// State of the clusters. Velocities and angular momenta stand half a step behind the positions (leapfrog).
@@ -58,7 +59,7 @@ struct Bodies {
 
   // Follow from the state each step; not saved.
   std::vector<Motion> motion;               // [n]
-  std::vector<Turn> turn;                   // [n]
+  std::vector<Placing> placing;             // [n]
 
   int count() const { return static_cast<int>(x.size()); }
   void hold_fixed(int body);
@@ -100,11 +101,21 @@ inline Vec3 point_velocity(const Bodies& b, std::size_t i, double ax, double ay,
           b.vz[i] + (b.wx[i] * ay - b.wy[i] * ax)};
 }
 
+/// Adds a force through the centre of mass to what loads the cluster in the next step.
+inline void push_centre(Bodies& b, int body, const Vec3& force) {
+  const auto i = static_cast<std::size_t>(body);
+  Load& on = b.load[i];
+  on.fx += force[0], on.fy += force[1], on.fz += force[2];
+  on.tx += b.y[i] * force[2] - b.z[i] * force[1];
+  on.ty += b.z[i] * force[0] - b.x[i] * force[2];
+  on.tz += b.x[i] * force[1] - b.y[i] * force[0];
+}
+
 /// Where the spheres are now; the second form re-uses the arrays.
 Centres sphere_centres(const Bodies& bodies, const Spheres& spheres);
 void sphere_centres(const Bodies& bodies, const Spheres& spheres, Centres& out);
 
-/// Motion and turn of every cluster from its state, where no step has just left them.
+/// Motion and placing of every cluster from its state, where no step has just left them.
 void publish_motion(Bodies& bodies);
 
 }  // namespace regolab::dem

@@ -18,7 +18,7 @@ struct Axes {
 struct Block {
   std::size_t first = 0;  ///< slot
   std::size_t count = 0;  ///< slots; the phases before the last work on whole packs
-  Axes normal, arm_a, arm_b, velocity, force;
+  Axes normal, point, velocity, force;
   alignas(64) double overlap[kBlock];  ///< not positive: does not touch
   alignas(64) double friction[kBlock];
 };
@@ -28,30 +28,20 @@ REGOLAB_INLINE Triple<P> load3(const Axes& a, std::size_t k) { return {load<P>(a
 template <class P>
 REGOLAB_INLINE void store3(const Triple<P>& v, Axes& a, std::size_t k) { store(v.x, a.x + k), store(v.y, a.y + k), store(v.z, a.z + k); }
 
+REGOLAB_INLINE std::size_t lane(const std::int32_t* index, std::size_t k, int l) {
+  return static_cast<std::size_t>(index[k + static_cast<std::size_t>(l)]);
+}
+
 template <class P, class Visit>
 REGOLAB_INLINE void each_pack(const Block& block, Visit visit) {
   for (std::size_t k = 0; k < block.count; k += static_cast<std::size_t>(kLanes<P>)) visit(k);
 }
 
-/// One side of a pack of contacts: sphere centre and radius, its offset from the centre of mass, velocities.
+/// Velocity of the points p of clusters [m/s].
 template <class P>
-struct Side {
-  Triple<P> at;
-  P radius;
-  Triple<P> offset, velocity, spin;
-};
-
-template <class P>
-REGOLAB_INLINE Side<P> side_of(const Quad* at, const Motion* motion, const std::int32_t* ball, const std::int32_t* body) {
-  const auto sphere = gathered<P>([=](int l) REGOLAB_INLINE_LAMBDA { return at[ball[l]].v; });
-  const auto centre = gathered<P>([=](int l) REGOLAB_INLINE_LAMBDA { return motion[body[l]].centre.v; });
-  const auto velocity = gathered<P>([=](int l) REGOLAB_INLINE_LAMBDA { return motion[body[l]].velocity.v; });
-  const auto spin = gathered<P>([=](int l) REGOLAB_INLINE_LAMBDA { return motion[body[l]].spin.v; });
-  return {sphere.xyz, sphere.fourth, sphere.xyz - centre.xyz, velocity.xyz, spin.xyz};
+REGOLAB_INLINE Triple<P> velocity_at(const Triple<P>& p, const Triple<P>& origin_velocity, const Triple<P>& spin) {
+  return origin_velocity + cross(spin, p);
 }
-
-template <class P>
-REGOLAB_INLINE Triple<P> velocity_at(const Side<P>& s, const Triple<P>& arm) { return s.velocity + cross(s.spin, arm); }
 
 template <class P>
 REGOLAB_INLINE void measure_pairs(const ForceInput& in, const Slots& s, Block& block) {
@@ -60,19 +50,23 @@ REGOLAB_INLINE void measure_pairs(const ForceInput& in, const Slots& s, Block& b
   const std::int32_t *ball_a = s.ball_a.data() + block.first, *ball_b = s.ball_b.data() + block.first;
   const std::int32_t *body_a = s.body_a.data() + block.first, *body_b = s.body_b.data() + block.first;
   each_pack<P>(block, [&](std::size_t k) REGOLAB_INLINE_LAMBDA {
-    const auto a = side_of<P>(at, motion, ball_a + k, body_a + k), b = side_of<P>(at, motion, ball_b + k, body_b + k);
-    const Triple<P> d = a.at - b.at;
-    const P reach = a.radius + b.radius, distance = root(dot(d, d)), one = pack_of<P>(1.0);
+    const auto a = gathered<P>([=](int l) REGOLAB_INLINE_LAMBDA { return at[lane(ball_a, k, l)].v; });
+    const auto b = gathered<P>([=](int l) REGOLAB_INLINE_LAMBDA { return at[lane(ball_b, k, l)].v; });
+    const Triple<P> d = a.xyz - b.xyz;
+    const P reach = a.fourth + b.fourth, distance = root(dot(d, d)), one = pack_of<P>(1.0);
     const auto apart = distance > 0.0;  // centres on one another have no normal: they do not touch
     const Triple<P> n = (one / select(apart, distance, one)) * d;
-    const P overlap = select(apart, reach - distance, P{}), half = 0.5 * overlap;  // contact point: middle of the overlap
-    const Triple<P> arm_a = a.offset + (half - a.radius) * n, arm_b = b.offset + (b.radius - half) * n;
+    const P overlap = select(apart, reach - distance, P{});
+    const Triple<P> point = a.xyz + (0.5 * overlap - a.fourth) * n;  // middle of the overlap
+    const auto va = gathered<P>([=](int l) REGOLAB_INLINE_LAMBDA { return motion[lane(body_a, k, l)].origin_velocity.v; });
+    const auto vb = gathered<P>([=](int l) REGOLAB_INLINE_LAMBDA { return motion[lane(body_b, k, l)].origin_velocity.v; });
+    const auto wa = gathered<P>([=](int l) REGOLAB_INLINE_LAMBDA { return motion[lane(body_a, k, l)].spin.v; });
+    const auto wb = gathered<P>([=](int l) REGOLAB_INLINE_LAMBDA { return motion[lane(body_b, k, l)].spin.v; });
     store(overlap, block.overlap + k);
     store(pack_of<P>(in.law.friction), block.friction + k);
     store3(n, block.normal, k);
-    store3(arm_a, block.arm_a, k);
-    store3(arm_b, block.arm_b, k);
-    store3(velocity_at(a, arm_a) - velocity_at(b, arm_b), block.velocity, k);
+    store3(point, block.point, k);
+    store3(velocity_at(point, va.xyz - vb.xyz, wa.xyz - wb.xyz), block.velocity, k);
   });
 }
 
@@ -127,15 +121,17 @@ REGOLAB_INLINE void measure_walls(const ForceInput& in, const WallRecords& walls
   const Motion* motion = in.bodies.motion.data();
   const std::int32_t *ball = s.ball_a.data() + block.first, *body = s.body_a.data() + block.first, *id = s.first.data() + block.first;
   each_pack<P>(block, [&](std::size_t k) REGOLAB_INLINE_LAMBDA {
-    const auto a = side_of<P>(at, motion, ball + k, body + k);
-    const auto wall = gathered<P>([&](int l) REGOLAB_INLINE_LAMBDA { return walls.motion[id[k + static_cast<std::size_t>(l)]].v; });
-    const FromWall<P> gap = from_wall(walls, id + k, a.at);
-    const Triple<P> arm = a.offset - gap.distance * gap.n;  // contact point: on the wall
-    store(a.radius - gap.distance, block.overlap + k);
+    const auto a = gathered<P>([=](int l) REGOLAB_INLINE_LAMBDA { return at[lane(ball, k, l)].v; });
+    const auto wall = gathered<P>([&](int l) REGOLAB_INLINE_LAMBDA { return walls.motion[lane(id, k, l)].v; });
+    const auto v = gathered<P>([=](int l) REGOLAB_INLINE_LAMBDA { return motion[lane(body, k, l)].origin_velocity.v; });
+    const auto w = gathered<P>([=](int l) REGOLAB_INLINE_LAMBDA { return motion[lane(body, k, l)].spin.v; });
+    const FromWall<P> gap = from_wall(walls, id + k, a.xyz);
+    const Triple<P> point = a.xyz - gap.distance * gap.n;  // on the wall
+    store(a.fourth - gap.distance, block.overlap + k);
     store(wall.fourth, block.friction + k);
     store3(gap.n, block.normal, k);
-    store3(arm, block.arm_a, k);
-    store3(velocity_at(a, arm) - wall.xyz, block.velocity, k);
+    store3(point, block.point, k);
+    store3(velocity_at(point, v.xyz - wall.xyz, w.xyz), block.velocity, k);
   });
 }
 
@@ -169,13 +165,12 @@ REGOLAB_INLINE void add_pairs(const Slots& s, const Block& block, Load* load) {
   const std::int32_t *body_a = s.body_a.data() + block.first, *body_b = s.body_b.data() + block.first;
   each_pack<P>(block, [&](std::size_t k) REGOLAB_INLINE_LAMBDA {
     const Triple<P> f = load3<P>(block.force, k);
-    const auto onto = [=](int l, const Four& force, const Four& on_a, const Four& on_b) REGOLAB_INLINE_LAMBDA {
-      Load &a = load[body_a[k + static_cast<std::size_t>(l)]], &b = load[body_b[k + static_cast<std::size_t>(l)]];
-      add(force, &a.fx), add(on_a, &a.tx);
-      take(force, &b.fx), add(on_b, &b.tx);
+    const auto onto = [=](int l, const Four& force, const Four& torque) REGOLAB_INLINE_LAMBDA {
+      Load &a = load[lane(body_a, k, l)], &b = load[lane(body_b, k, l)];
+      add(force, &a.fx), add(torque, &a.tx);
+      take(force, &b.fx), take(torque, &b.tx);
     };
-    each_row(0, lanes_left(block, k), onto, rows_of(f), rows_of(cross(load3<P>(block.arm_a, k), f)),
-             rows_of(cross(f, load3<P>(block.arm_b, k))));
+    each_row(0, lanes_left(block, k), onto, rows_of(f), rows_of(cross(load3<P>(block.point, k), f)));
   });
 }
 
@@ -184,25 +179,21 @@ REGOLAB_INLINE void add_walls(const Slots& s, const Block& block, Load* load) {
   const std::int32_t* body_a = s.body_a.data() + block.first;
   each_pack<P>(block, [&](std::size_t k) REGOLAB_INLINE_LAMBDA {
     const Triple<P> f = load3<P>(block.force, k);
-    const auto onto = [=](int l, const Four& force, const Four& on_a) REGOLAB_INLINE_LAMBDA {
-      Load& a = load[body_a[k + static_cast<std::size_t>(l)]];
-      add(force, &a.fx), add(on_a, &a.tx);
+    const auto onto = [=](int l, const Four& force, const Four& torque) REGOLAB_INLINE_LAMBDA {
+      Load& a = load[lane(body_a, k, l)];
+      add(force, &a.fx), add(torque, &a.tx);
     };
-    each_row(0, lanes_left(block, k), onto, rows_of(f), rows_of(cross(load3<P>(block.arm_a, k), f)));
+    each_row(0, lanes_left(block, k), onto, rows_of(f), rows_of(cross(load3<P>(block.point, k), f)));
   });
 }
 
 /// Torques into the slots, for sum_loads.
 template <class P>
-REGOLAB_INLINE void keep_torque(const Triple<P>& t, Torques& to, std::size_t k) {
-  store(t.x, to.x.data() + k), store(t.y, to.y.data() + k), store(t.z, to.z.data() + k);
-}
-template <class P>
-REGOLAB_INLINE void keep_torques(Slots& s, const Block& block, bool both_sides) {
+REGOLAB_INLINE void keep_torques(Slots& s, const Block& block) {
   each_pack<P>(block, [&](std::size_t k) REGOLAB_INLINE_LAMBDA {
-    const Triple<P> f = load3<P>(block.force, k);
-    keep_torque(cross(load3<P>(block.arm_a, k), f), s.torque_a, block.first + k);
-    if (both_sides) keep_torque(cross(f, load3<P>(block.arm_b, k)), s.torque_b, block.first + k);
+    const Triple<P> t = cross(load3<P>(block.point, k), load3<P>(block.force, k));
+    const std::size_t slot = block.first + k;
+    store(t.x, s.torque.x.data() + slot), store(t.y, s.torque.y.data() + slot), store(t.z, s.torque.z.data() + slot);
   });
 }
 
@@ -233,7 +224,7 @@ REGOLAB_INLINE void press_pairs_with(const ForceInput& in, Stretch stretch, Slot
     measure_pairs<P>(in, slots, block);
     apply_law<P>(in.law, in.dt, slots, block);
     if (loads) add_pairs<P>(slots, block, loads);
-    else keep_torques<P>(slots, block, true);
+    else keep_torques<P>(slots, block);
   });
 }
 
@@ -245,7 +236,7 @@ REGOLAB_INLINE void press_walls_with(const ForceInput& in, const Walls& walls, S
     apply_law<P>(in.law, in.dt, slots, block);
     split_wall_forces<P>(slots, block);
     if (loads) add_walls<P>(slots, block, loads);
-    else keep_torques<P>(slots, block, false);
+    else keep_torques<P>(slots, block);
   });
 }
 
@@ -273,19 +264,14 @@ void sum_loads(const Shares& shares, const Slots& pairs, const Slots& walls, std
                std::vector<Load>& loads) {
   for (std::size_t i = begin; i < end; ++i) {
     Load sum;
-    const auto add_slot = [&](double sign, const Slots& s, const Torques& torque, std::size_t k) {
+    const auto add_slot = [&](double sign, const Slots& s, std::size_t k) {
       sum.fx += sign * s.fx[k], sum.fy += sign * s.fy[k], sum.fz += sign * s.fz[k];
-      sum.tx += torque.x[k], sum.ty += torque.y[k], sum.tz += torque.z[k];
+      sum.tx += sign * s.torque.x[k], sum.ty += sign * s.torque.y[k], sum.tz += sign * s.torque.z[k];
     };
     for (auto n = static_cast<std::size_t>(shares.first[i]); n < static_cast<std::size_t>(shares.first[i + 1]); ++n) {
       const std::int32_t share = shares.slot[n];
-      if (share < 0) {
-        add_slot(1.0, walls, walls.torque_a, static_cast<std::size_t>(~share));
-        continue;
-      }
-      const auto k = static_cast<std::size_t>(share / 2);
-      if (share % 2 == 0) add_slot(1.0, pairs, pairs.torque_a, k);
-      else add_slot(-1.0, pairs, pairs.torque_b, k);
+      if (share < 0) add_slot(1.0, walls, static_cast<std::size_t>(~share));
+      else add_slot(share % 2 == 0 ? 1.0 : -1.0, pairs, static_cast<std::size_t>(share / 2));
     }
     loads[i] = sum;
   }

@@ -77,73 +77,84 @@ struct Arrays {
         qx(b.qx.data()), qy(b.qy.data()), qz(b.qz.data()), lx(b.lx.data()), ly(b.ly.data()), lz(b.lz.data()), wx(b.wx.data()),
         wy(b.wy.data()), wz(b.wz.data()), im(b.inverse_mass.data()), jx(b.inverse_ix.data()), jy(b.inverse_iy.data()),
         jz(b.inverse_iz.data()), swing(b.swing.data()), margin(m.margin.data()), path(m.path.data()), load(b.load.data()),
-        motion(b.motion.data()), turn(b.turn.data()) {}
+        motion(b.motion.data()), placing(b.placing.data()) {}
   double *x, *y, *z, *vx, *vy, *vz, *qw, *qx, *qy, *qz, *lx, *ly, *lz, *wx, *wy, *wz;
   const double *im, *jx, *jy, *jz, *swing, *margin;
   double* path;
   Load* load;
   Motion* motion;
-  Turn* turn;
+  Placing* placing;
 };
 
-constexpr std::size_t kMotionStride = sizeof(Motion) / sizeof(double), kTurnStride = sizeof(Turn) / sizeof(double),
+constexpr std::size_t kMotionStride = sizeof(Motion) / sizeof(double), kPlacingStride = sizeof(Placing) / sizeof(double),
                       kLoadStride = sizeof(Load) / sizeof(double);
 
+/// Velocity and position, before and after.
 template <class P>
-REGOLAB_INLINE Triple<P> translate(const Kick& kick, std::size_t i, int lanes, const Arrays& a) {
+struct Flight {
+  Triple<P> v, x, force, x_before;
+};
+
+template <class P>
+REGOLAB_INLINE Flight<P> translate(const Kick& kick, std::size_t i, int lanes, const Arrays& a) {
   const P im = load_lanes<P>(a.im + i, lanes);
-  Triple<P> push = im * strided<P>(&a.load[i].fx, kLoadStride, lanes);
+  Flight<P> fly;
+  fly.force = strided<P>(&a.load[i].fx, kLoadStride, lanes);
+  fly.x_before = load3<P>(a.x, a.y, a.z, i, lanes);
+  Triple<P> push = im * fly.force;
   push.z = push.z - select(im > 0.0, pack_of<P>(kick.gravity), P{});
-  const Triple<P> v = kick.keep * load3<P>(a.vx, a.vy, a.vz, i, lanes) + kick.dt * push;
-  const Triple<P> x = load3<P>(a.x, a.y, a.z, i, lanes) + kick.dt * v;
-  store3(v, a.vx, a.vy, a.vz, i, lanes);
-  store3(x, a.x, a.y, a.z, i, lanes);
-  scatter(x, a.motion[i].centre.v, kMotionStride, lanes);
-  scatter(v, a.motion[i].velocity.v, kMotionStride, lanes);
-  return v;
+  fly.v = kick.keep * load3<P>(a.vx, a.vy, a.vz, i, lanes) + kick.dt * push;
+  fly.x = fly.x_before + kick.dt * fly.v;
+  store3(fly.v, a.vx, a.vy, a.vz, i, lanes);
+  store3(fly.x, a.x, a.y, a.z, i, lanes);
+  scatter(fly.x, a.placing[i].centre.v, kPlacingStride, lanes);
+  return fly;
+}
+
+/// Angular momentum after the kick; the torque is taken from the origin to the centre of mass.
+template <class P>
+REGOLAB_INLINE Triple<P> spun_up(const Kick& kick, std::size_t i, int lanes, const Flight<P>& fly, const P& j, const Arrays& a) {
+  const P is_free = select(j > 0.0, pack_of<P>(kick.dt), P{});
+  const Triple<P> torque = strided<P>(&a.load[i].tx, kLoadStride, lanes) - cross(fly.x_before, fly.force);
+  const Triple<P> l = kick.keep * load3<P>(a.lx, a.ly, a.lz, i, lanes) + is_free * torque;
+  store3(l, a.lx, a.ly, a.lz, i, lanes);
+  return l;
 }
 
 template <class P>
-REGOLAB_INLINE Triple<P> rotate(const Kick& kick, std::size_t i, int lanes, const Arrays& a) {
-  const Triple<P> j = load3<P>(a.jx, a.jy, a.jz, i, lanes);
-  const P is_free = select(j.x > 0.0, pack_of<P>(kick.dt), P{});
-  const Triple<P> l = kick.keep * load3<P>(a.lx, a.ly, a.lz, i, lanes) + is_free * strided<P>(&a.load[i].tx, kLoadStride, lanes);
+REGOLAB_INLINE Triple<P> turn(const Kick& kick, std::size_t i, int lanes, const Flight<P>& fly, const Arrays& a) {
+  const Triple<P> j = load3<P>(a.jx, a.jy, a.jz, i, lanes), l = spun_up(kick, i, lanes, fly, j.x, a);
   Quaternion<P> q{load_lanes<P>(a.qw + i, lanes), load_lanes<P>(a.qx + i, lanes), load_lanes<P>(a.qy + i, lanes),
                   load_lanes<P>(a.qz + i, lanes)};
   const Quaternion<P> half = half_turned(q, angular_velocity(rotation(q), j, l), kick.dt);
   const Triple<P> w = angular_velocity(rotation(half), j, l);
   q = fully_turned(q, half, w, kick.dt);
-  store3(l, a.lx, a.ly, a.lz, i, lanes);
-  store3(w, a.wx, a.wy, a.wz, i, lanes);
   store_lanes(q.w, a.qw + i, lanes);
   store3<P>({q.x, q.y, q.z}, a.qx, a.qy, a.qz, i, lanes);
   const Rotation<P> r = rotation(q);
-  scatter<P>({r.xx, r.yx, r.zx}, a.turn[i].column[0].v, kTurnStride, lanes);
-  scatter<P>({r.xy, r.yy, r.zy}, a.turn[i].column[1].v, kTurnStride, lanes);
-  scatter<P>({r.xz, r.yz, r.zz}, a.turn[i].column[2].v, kTurnStride, lanes);
-  scatter(w, a.motion[i].spin.v, kMotionStride, lanes);
+  scatter<P>({r.xx, r.yx, r.zx}, a.placing[i].column[0].v, kPlacingStride, lanes);
+  scatter<P>({r.xy, r.yy, r.zy}, a.placing[i].column[1].v, kPlacingStride, lanes);
+  scatter<P>({r.xz, r.yz, r.zz}, a.placing[i].column[2].v, kPlacingStride, lanes);
   return w;
 }
 
 /// Clusters of one sphere: no turn shows, and the inverse inertia has no axes.
 template <class P>
-REGOLAB_INLINE Triple<P> spin_up(const Kick& kick, std::size_t i, int lanes, const Arrays& a) {
-  const P j = load_lanes<P>(a.jx + i, lanes), is_free = select(j > 0.0, pack_of<P>(kick.dt), P{});
-  const Triple<P> l = kick.keep * load3<P>(a.lx, a.ly, a.lz, i, lanes) + is_free * strided<P>(&a.load[i].tx, kLoadStride, lanes);
-  const Triple<P> w = j * l;
-  store3(l, a.lx, a.ly, a.lz, i, lanes);
-  store3(w, a.wx, a.wy, a.wz, i, lanes);
-  scatter(w, a.motion[i].spin.v, kMotionStride, lanes);
-  return w;
+REGOLAB_INLINE Triple<P> spin_only(const Kick& kick, std::size_t i, int lanes, const Flight<P>& fly, const Arrays& a) {
+  const P j = load_lanes<P>(a.jx + i, lanes);
+  return j * spun_up(kick, i, lanes, fly, j, a);
 }
 
 /// One block of clusters; which lanes left their margin.
 template <class P, bool kTurns>
 REGOLAB_INLINE auto advance(const Kick& kick, std::size_t i, int lanes, const Arrays& a) {
-  const Triple<P> v = translate<P>(kick, i, lanes, a);
-  const Triple<P> w = kTurns ? rotate<P>(kick, i, lanes, a) : spin_up<P>(kick, i, lanes, a);
+  const Flight<P> fly = translate<P>(kick, i, lanes, a);
+  const Triple<P> w = kTurns ? turn(kick, i, lanes, fly, a) : spin_only(kick, i, lanes, fly, a);
+  store3(w, a.wx, a.wy, a.wz, i, lanes);
+  scatter(fly.v - cross(w, fly.x), a.motion[i].origin_velocity.v, kMotionStride, lanes);
+  scatter(w, a.motion[i].spin.v, kMotionStride, lanes);
   for (int l = 0; l < lanes; ++l) a.load[i + static_cast<std::size_t>(l)] = Load{};
-  const P speed = root(fastest_point2(dot(v, v), dot(w, w), load_lanes<P>(a.swing + i, lanes)));
+  const P speed = root(fastest_point2(dot(fly.v, fly.v), dot(w, w), load_lanes<P>(a.swing + i, lanes)));
   const P path = load_lanes<P>(a.path + i, lanes) + kick.dt * speed;
   store_lanes(path, a.path + i, lanes);
   return path > load_lanes<P>(a.margin + i, lanes);

@@ -15,7 +15,7 @@ void make_room(std::size_t n, Vectors&... vectors) {
 }
 
 void relax(Slots& s) {
-  make_room(s.count, s.root_mass, s.sx, s.sy, s.sz, s.fx, s.fy, s.fz, s.ball_a, s.torque_a.x, s.torque_a.y, s.torque_a.z);
+  make_room(s.count, s.root_mass, s.sx, s.sy, s.sz, s.fx, s.fy, s.fz, s.ball_a, s.torque.x, s.torque.y, s.torque.z);
   for (auto* zero : {&s.sx, &s.sy, &s.sz, &s.fx, &s.fy, &s.fz}) std::fill_n(zero->begin(), s.count, 0.0);
 }
 
@@ -71,7 +71,7 @@ void list_near_walls(const Bodies& bodies, const Spheres& spheres, const Centres
 
 void fill_pair_slots(const LinearLaw& law, const Bodies& bodies, Slots& s) {
   relax(s);
-  make_room(s.count, s.ball_b, s.torque_b.x, s.torque_b.y, s.torque_b.z);
+  make_room(s.count, s.ball_b);
   for (std::size_t k = 0; k < s.count; ++k) {
     const auto i = static_cast<std::size_t>(s.body_a[k]), j = static_cast<std::size_t>(s.body_b[k]);
     s.root_mass[k] = law.damping_is_ratio ? 1.0 / std::sqrt(bodies.inverse_mass[i] + bodies.inverse_mass[j]) : 1.0;
@@ -122,13 +122,12 @@ REGOLAB_INLINE void place_balls_with(const Bodies& bodies, std::size_t begin, st
   const std::int32_t* body = balls.body.data();
   const Quad* offset = balls.offset.data();
   Quad* at = balls.at.data();
-  const Motion* motion = bodies.motion.data();
-  const Turn* turn = bodies.turn.data();
+  const Placing* placing = bodies.placing.data();
   for (std::size_t k = begin; k < end; ++k) {
-    const Quad* column = turn[body[k]].column;
+    const auto& [centre, column] = placing[body[k]];
     const Four o = load<Four>(offset[k].v);
     const Four arm = load<Four>(column[0].v) * o[0] + load<Four>(column[1].v) * o[1] + load<Four>(column[2].v) * o[2];
-    const Four place = load<Four>(motion[body[k]].centre.v) + arm;
+    const Four place = load<Four>(centre.v) + arm;
     store(__builtin_shufflevector(place, o, 0, 1, 2, 7), at[k].v);
   }
 }

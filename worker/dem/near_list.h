@@ -23,7 +23,7 @@ struct Balls {
 
 inline constexpr double kApart = -1.0;  ///< stands for the normal force of a wall slot that does not touch; none is negative
 
-/// About the centres of mass [N m].
+/// About the origin [N m].
 struct Torques {
   std::vector<double> x, y, z;
 };
@@ -38,7 +38,7 @@ struct Slots {
   std::vector<double> root_mass;             // [count] see LinearLaw
   std::vector<double> sx, sy, sz;            // [count] spring [m]
   std::vector<double> fx, fy, fz;            // [count] force on a in the last step [N]
-  Torques torque_a, torque_b;                // [count] where threads share a step
+  Torques torque;                            // [count] on a, where threads share a step
   std::vector<double> normal, shear;         // [count] walls: normal force or kApart, and size of the rest [N]
   bool hold_springs = false;                 ///< false until springs were given to these slots
 };
@@ -57,7 +57,7 @@ void fill_wall_slots(const LinearLaw& law, const Bodies& bodies, Slots& slots);
 /// The spheres that the slots name, and where each slot finds its own.
 void collect_balls(const Spheres& spheres, Slots& pairs, Slots& walls, Balls& balls);
 
-/// All balls to where their clusters are. REQUIRES: motion and turn are published.
+/// All balls to where their clusters are. REQUIRES: placing is published.
 void place_balls(const Bodies& bodies, std::size_t begin, std::size_t end, Balls& balls);
 
 /// Springs of the slots that touch, in canonical order; and back. Both are sorted alike, so one merge does it.
