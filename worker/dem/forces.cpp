@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "worker/dem/records.h"
+#include "worker/dem/simd/records.h"
 
 namespace regolab::dem {
 namespace {
@@ -187,13 +187,16 @@ REGOLAB_INLINE void add_walls(const Slots& s, const Block& block, Load* load) {
   });
 }
 
-/// Torques into the slots, for sum_loads.
+/// Loads into the slots, for sum_loads.
 template <class P>
-REGOLAB_INLINE void keep_torques(Slots& s, const Block& block) {
+REGOLAB_INLINE void keep_loads(Slots& s, const Block& block) {
   each_pack<P>(block, [&](std::size_t k) REGOLAB_INLINE_LAMBDA {
-    const Triple<P> t = cross(load3<P>(block.point, k), load3<P>(block.force, k));
-    const std::size_t slot = block.first + k;
-    store(t.x, s.torque.x.data() + slot), store(t.y, s.torque.y.data() + slot), store(t.z, s.torque.z.data() + slot);
+    Load* load = s.load.data() + block.first + k;
+    const Triple<P> f = load3<P>(block.force, k);
+    const auto into = [=](int l, const Four& force, const Four& torque) REGOLAB_INLINE_LAMBDA {
+      store(force, &load[l].fx), store(torque, &load[l].tx);
+    };
+    each_row(0, lanes_left(block, k), into, rows_of(f), rows_of(cross(load3<P>(block.point, k), f)));
   });
 }
 
@@ -224,7 +227,7 @@ REGOLAB_INLINE void press_pairs_with(const ForceInput& in, Stretch stretch, Slot
     measure_pairs<P>(in, slots, block);
     apply_law<P>(in.law, in.dt, slots, block);
     if (loads) add_pairs<P>(slots, block, loads);
-    else keep_torques<P>(slots, block);
+    else keep_loads<P>(slots, block);
   });
 }
 
@@ -236,7 +239,7 @@ REGOLAB_INLINE void press_walls_with(const ForceInput& in, const Walls& walls, S
     apply_law<P>(in.law, in.dt, slots, block);
     split_wall_forces<P>(slots, block);
     if (loads) add_walls<P>(slots, block, loads);
-    else keep_torques<P>(slots, block);
+    else keep_loads<P>(slots, block);
   });
 }
 
@@ -260,22 +263,28 @@ void list_shares(const Slots& pairs, const Slots& walls, std::size_t n_bodies, S
   for (std::size_t k = 0; k < walls.count; ++k) put(walls.body_a[k], ~k);
 }
 
-void sum_loads(const Shares& shares, const Slots& pairs, const Slots& walls, std::size_t begin, std::size_t end,
-               std::vector<Load>& loads) {
-  for (std::size_t i = begin; i < end; ++i) {
-    Load sum;
-    const auto add_slot = [&](double sign, const Slots& s, std::size_t k) {
-      sum.fx += sign * s.fx[k], sum.fy += sign * s.fy[k], sum.fz += sign * s.fz[k];
-      sum.tx += sign * s.torque.x[k], sum.ty += sign * s.torque.y[k], sum.tz += sign * s.torque.z[k];
-    };
-    for (auto n = static_cast<std::size_t>(shares.first[i]); n < static_cast<std::size_t>(shares.first[i + 1]); ++n) {
+namespace {
+
+template <class>
+REGOLAB_INLINE void sum_loads_with(const Shares& shares, const Slots& pairs, const Slots& walls, Stretch bodies, std::vector<Load>& loads) {
+  for (std::size_t i = bodies.begin; i < bodies.end; ++i) {
+    Four force{}, torque{};
+    const auto last = static_cast<std::size_t>(shares.first[i + 1]);
+    for (auto n = static_cast<std::size_t>(shares.first[i]); n < last; ++n) {
       const std::int32_t share = shares.slot[n];
-      if (share < 0) add_slot(1.0, walls, static_cast<std::size_t>(~share));
-      else add_slot(share % 2 == 0 ? 1.0 : -1.0, pairs, static_cast<std::size_t>(share / 2));
+      const Load& on_a = share < 0 ? walls.load[static_cast<std::size_t>(~share)] : pairs.load[static_cast<std::size_t>(share / 2)];
+      const double sign = share >= 0 && share % 2 == 1 ? -1.0 : 1.0;
+      force += sign * load<Four>(&on_a.fx);
+      torque += sign * load<Four>(&on_a.tx);
     }
-    loads[i] = sum;
+    store(force, &loads[i].fx), store(torque, &loads[i].tx);
   }
 }
+
+}  // namespace
+
+REGOLAB_HOT(void, sum_loads, (const Shares& shares, const Slots& pairs, const Slots& walls, Stretch bodies, std::vector<Load>& loads),
+            (shares, pairs, walls, bodies, loads))
 
 void sum_wall_forces(const Slots& slots, Walls& walls) {
   for (Wall& wall : walls.wall) wall.force = wall.shear = 0.0, wall.contacts = 0;

@@ -17,8 +17,8 @@ struct Stretch {
   std::size_t begin, end;
 };
 
-/// Springs and forces into their slots, and forces and torques onto the clusters in slot order. Without `loads` the torques stay in
-/// the slots too: threads share the work, and sum_loads() adds up.
+/// Springs and forces into their slots, and forces and torques onto the clusters in slot order. Without `loads` they
+/// stay in the slots (which keep loads then): threads share the work, and sum_loads() adds up.
 void press_pairs(const ForceInput& in, Stretch stretch, Slots& slots, Load* loads);
 void press_walls(const ForceInput& in, const Walls& walls, Stretch stretch, Slots& slots, Load* loads);
 
@@ -29,9 +29,8 @@ struct Shares {
 };
 void list_shares(const Slots& pairs, const Slots& walls, std::size_t n_bodies, Shares& shares);
 
-/// Loads of clusters [begin, end) from slots pressed apart: the same bits as on one thread.
-void sum_loads(const Shares& shares, const Slots& pairs, const Slots& walls, std::size_t begin, std::size_t end,
-               std::vector<Load>& loads);
+/// Loads of a stretch of clusters from those that the slots keep: the same bits as on one thread.
+void sum_loads(const Shares& shares, const Slots& pairs, const Slots& walls, Stretch bodies, std::vector<Load>& loads);
 
 /// The walls' own force, shear and contacts from their slots, one after the other.
 void sum_wall_forces(const Slots& slots, Walls& walls);

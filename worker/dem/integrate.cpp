@@ -1,6 +1,6 @@
 #include "worker/dem/integrate.h"
 
-#include "worker/dem/records.h"
+#include "worker/dem/simd/records.h"
 
 namespace regolab::dem {
 namespace {

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "worker/dem/bodies.h"
-#include "worker/dem/hot.h"
+#include "worker/dem/simd/hot.h"
 
 namespace regolab::dem {
 

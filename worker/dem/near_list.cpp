@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "worker/dem/pack.h"
+#include "worker/dem/simd/pack.h"
 
 namespace regolab::dem {
 namespace {
@@ -15,7 +15,8 @@ void make_room(std::size_t n, Vectors&... vectors) {
 }
 
 void relax(Slots& s) {
-  make_room(s.count, s.root_mass, s.sx, s.sy, s.sz, s.fx, s.fy, s.fz, s.ball_a, s.torque.x, s.torque.y, s.torque.z);
+  make_room(s.count, s.root_mass, s.sx, s.sy, s.sz, s.fx, s.fy, s.fz, s.ball_a);
+  if (s.keep_loads) make_room(s.count, s.load);
   for (auto* zero : {&s.sx, &s.sy, &s.sz, &s.fx, &s.fy, &s.fz}) std::fill_n(zero->begin(), s.count, 0.0);
 }
 

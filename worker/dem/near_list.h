@@ -23,11 +23,6 @@ struct Balls {
 
 inline constexpr double kApart = -1.0;  ///< stands for the normal force of a wall slot that does not touch; none is negative
 
-/// About the origin [N m].
-struct Torques {
-  std::vector<double> x, y, z;
-};
-
 /// Near pairs, or near wall contacts (then `first` is the wall, and nothing stands under b). A slot that does not touch holds
 /// zeros. Arrays have room for a whole pack past the count, and the indices there repeat the last.
 struct Slots {
@@ -38,8 +33,9 @@ struct Slots {
   std::vector<double> root_mass;             // [count] see LinearLaw
   std::vector<double> sx, sy, sz;            // [count] spring [m]
   std::vector<double> fx, fy, fz;            // [count] force on a in the last step [N]
-  Torques torque;                            // [count] on a, where threads share a step
+  std::vector<Load> load;                    // [count] on a, where threads share a step
   std::vector<double> normal, shear;         // [count] walls: normal force or kApart, and size of the rest [N]
+  bool keep_loads = false;                   ///< threads share the steps: loads stay here until sum_loads()
   bool hold_springs = false;                 ///< false until springs were given to these slots
 };
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "worker/dem/pack.h"
+#include "worker/dem/simd/pack.h"
 
 namespace regolab::dem {
 namespace {

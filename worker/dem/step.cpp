@@ -1,10 +1,12 @@
 #include "worker/dem/step.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 
 #include "worker/dem/integrate.h"
-#include "worker/dem/pack.h"
+#include "worker/dem/simd/pack.h"
+#include "worker/dem/team.h"
 
 namespace regolab::dem {
 namespace {
@@ -15,8 +17,7 @@ void share_out(const World& w, std::size_t n, Visit visit) {
   if (w.threads <= 1) return visit(std::size_t{0}, n);
   const auto parts = static_cast<std::size_t>(w.threads);
   const auto cut = [&](std::size_t t) { return t == parts ? n : n * t / parts / kMostLanes * kMostLanes; };
-#pragma omp parallel for num_threads(w.threads) schedule(static, 1)
-  for (int t = 0; t < w.threads; ++t) visit(cut(static_cast<std::size_t>(t)), cut(static_cast<std::size_t>(t) + 1));
+  my_team(w.threads).run([&](int t) { visit(cut(static_cast<std::size_t>(t)), cut(static_cast<std::size_t>(t) + 1)); });
 }
 
 ForceInput input_of(const World& w) { return {w.law, w.dt, w.balls, w.bodies}; }
@@ -39,14 +40,11 @@ void renew_margins(World& w) {
 
 bool kick_and_drift(World& w) {
   const Kick kick{w.gravity, w.drag > 0.0 ? std::max(0.0, 1.0 - w.drag * w.dt) : 1.0, w.dt};
-  int left = 0;
+  std::atomic<bool> left = false;
   share_out(w, w.bodies.x.size(), [&](std::size_t begin, std::size_t end) {
-    if (kick_and_drift(kick, begin, end, w.bodies, w.margins)) {
-#pragma omp atomic write
-      left = 1;
-    }
+    if (kick_and_drift(kick, begin, end, w.bodies, w.margins)) left.store(true, std::memory_order_relaxed);
   });
-  return move_walls(w.dt, w.wall_margin, w.walls_at_refresh, w.walls) || left != 0;
+  return move_walls(w.dt, w.wall_margin, w.walls_at_refresh, w.walls) || left;
 }
 
 void refresh_lists(World& w) {
@@ -58,6 +56,7 @@ void refresh_lists(World& w) {
     w.lists_stale = false;
     ++w.list_builds;
   }
+  w.near_pairs.keep_loads = w.near_walls.keep_loads = w.threads > 1;
   list_near_pairs(w.pairs, w.spheres, w.centres, w.margins, w.near_pairs);
   list_near_walls(w.bodies, w.spheres, w.centres, w.walls, w.margins, w.wall_margin, w.near_walls);
   fill_pair_slots(w.law, w.bodies, w.near_pairs);
@@ -89,7 +88,7 @@ void press_walls(World& w) {
 void sum_loads(World& w) {
   if (w.threads <= 1) return;
   share_out(w, w.bodies.x.size(), [&](std::size_t begin, std::size_t end) {
-    sum_loads(w.shares, w.near_pairs, w.near_walls, begin, end, w.bodies.load);
+    sum_loads(w.shares, w.near_pairs, w.near_walls, {begin, end}, w.bodies.load);
   });
 }
 

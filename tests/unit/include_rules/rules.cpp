@@ -13,7 +13,8 @@ const std::vector<FolderRule>& folder_rules() {
       {"proto/digest", {"vocab/", "digest/"}},
       {"proto/input", {"vocab/", "input/"}},
       {"proto/rpc", {"vocab/", "rpc/", "regolab/v1/"}},
-      {"worker/dem/laws", {"vocab/", "worker/dem/hot.h", "worker/dem/laws/"}},
+      {"worker/dem/simd", {"vocab/", "worker/dem/simd/"}},
+      {"worker/dem/laws", {"vocab/", "worker/dem/simd/", "worker/dem/laws/"}},
       {"worker/dem", {"vocab/", "worker/dem/"}},
       {"worker/generate", {"vocab/", "worker/dem/", "worker/generate/"}},
       {"worker/bench", {"vocab/", "worker/dem/", "worker/generate/", "worker/bench/"}},
@@ -41,7 +42,6 @@ const std::vector<LibraryRule>& library_rules() {
       {"sqlite", {"sqlite3"}, {"store"}},
       {"spdlog", {"spdlog/"}, {"worker/rpc", "scheduler/rpc", "scheduler/main.cpp", "client"}},
       {"fmt", {"fmt/"}, {"worker/rpc", "scheduler/rpc", "scheduler/main.cpp", "client"}},
-      {"OpenMP", {"omp.h"}, {"worker/dem"}},
   };
   return rules;
 }

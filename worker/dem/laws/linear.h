@@ -1,6 +1,6 @@
 /// Linear spring and dashpot, normal and tangential, with Coulomb's cap [article Sec. 2.1, Fig. 2 left, Eq. 1; protocols 2].
 #pragma once
-#include "worker/dem/pack.h"
+#include "worker/dem/simd/pack.h"
 
 namespace regolab::dem {
 

@@ -1,4 +1,4 @@
-#include "worker/dem/hot.h"
+#include "worker/dem/simd/hot.h"
 
 #include <cstdlib>
 #include <string_view>

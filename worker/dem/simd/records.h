@@ -2,7 +2,7 @@
 #pragma once
 #include <type_traits>
 
-#include "worker/dem/pack.h"
+#include "worker/dem/simd/pack.h"
 
 namespace regolab::dem {
 

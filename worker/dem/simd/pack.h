@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <cstring>
 
-#include "worker/dem/hot.h"
+#include "worker/dem/simd/hot.h"
 
 namespace regolab::dem {
 
