@@ -104,12 +104,9 @@ std::array<double, 9> rotation_of(const Bodies& bodies, int body) {
           2 * (x * z - w * y),     2 * (y * z + w * x),     1 - 2 * (x * x + y * y)};
 }
 
-void sphere_centres(const Bodies& bodies, const Spheres& spheres, Centres& out) {
-  const auto n = static_cast<std::size_t>(spheres.count());
-  for (auto* axis : {&out.x, &out.y, &out.z}) axis->resize(n);
-  for (int b = 0; b < bodies.count(); ++b) {
-    const auto r = rotation_of(bodies, b);
-    const auto i = static_cast<std::size_t>(b);
+void sphere_centres(const Bodies& bodies, const Spheres& spheres, std::size_t begin, std::size_t end_of_bodies, Centres& out) {
+  for (std::size_t i = begin; i < end_of_bodies; ++i) {
+    const auto r = rotation_of(bodies, static_cast<int>(i));
     const double bx = bodies.x[i], by = bodies.y[i], bz = bodies.z[i];
     const auto end = static_cast<std::size_t>(bodies.first_sphere[i + 1]);
     for (auto s = static_cast<std::size_t>(bodies.first_sphere[i]); s < end; ++s) {
@@ -123,7 +120,8 @@ void sphere_centres(const Bodies& bodies, const Spheres& spheres, Centres& out) 
 
 Centres sphere_centres(const Bodies& bodies, const Spheres& spheres) {
   Centres out;
-  sphere_centres(bodies, spheres, out);
+  out.resize(static_cast<std::size_t>(spheres.count()));
+  sphere_centres(bodies, spheres, 0, bodies.x.size(), out);
   return out;
 }
 

@@ -87,6 +87,7 @@ struct Spheres {
 /// Positions of all spheres in space.
 struct Centres {
   std::vector<double> x, y, z;  // [m] [m]
+  void resize(std::size_t n) { x.resize(n), y.resize(n), z.resize(n); }
 };
 
 /// Adds a cluster at rest; returns its index. REQUIRES: at least one sphere, density > 0.
@@ -111,9 +112,9 @@ inline void push_centre(Bodies& b, int body, const Vec3& force) {
   on.tz += b.x[i] * force[1] - b.y[i] * force[0];
 }
 
-/// Where the spheres are now; the second form re-uses the arrays.
+/// Where the spheres are now; the second form does those of clusters [begin, end) alone. REQUIRES: `out` is sized.
 Centres sphere_centres(const Bodies& bodies, const Spheres& spheres);
-void sphere_centres(const Bodies& bodies, const Spheres& spheres, Centres& out);
+void sphere_centres(const Bodies& bodies, const Spheres& spheres, std::size_t begin, std::size_t end, Centres& out);
 
 /// Motion and placing of every cluster from its state, where no step has just left them.
 void publish_motion(Bodies& bodies);

@@ -12,11 +12,6 @@ struct ForceInput {
   const Bodies& bodies;   ///< their motion, as the integrator published it
 };
 
-/// A stretch of slots, [begin, end). Two of one list meet at a multiple of kMostLanes.
-struct Stretch {
-  std::size_t begin, end;
-};
-
 /// Springs and forces into their slots, and forces and torques onto the clusters in slot order. Without `loads` they
 /// stay in the slots (which keep loads then): threads share the work, and sum_loads() adds up.
 void press_pairs(const ForceInput& in, Stretch stretch, Slots& slots, Load* loads);

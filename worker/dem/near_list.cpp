@@ -30,15 +30,18 @@ void pad(std::size_t count, Indices&... indices) {
 
 }  // namespace
 
-void list_near_pairs(const PairList& pairs, const Spheres& spheres, const Centres& at, const Margins& margins, Slots& slots) {
-  const std::size_t listed = pairs.a.size();
+void make_room_for_pairs(std::size_t listed, Slots& slots) {
   make_room(listed, slots.first, slots.second, slots.body_a, slots.body_b);
+}
+
+std::size_t list_near_pairs(const PairList& pairs, const Spheres& spheres, const Centres& at, const Margins& margins, Stretch stretch,
+                            Slots& slots) {
   const std::int32_t *pair_a = pairs.a.data(), *pair_b = pairs.b.data(), *body = spheres.body.data();
   const double *x = at.x.data(), *y = at.y.data(), *z = at.z.data(), *reach = pairs.sum_of_radii.data();
   const double* margin = margins.margin.data();
   std::int32_t *first = slots.first.data(), *second = slots.second.data(), *body_a = slots.body_a.data(), *body_b = slots.body_b.data();
-  std::size_t found = 0;
-  for (std::size_t p = 0; p < listed; ++p) {
+  std::size_t found = stretch.begin;
+  for (std::size_t p = stretch.begin; p < stretch.end; ++p) {
     const std::int32_t a = pair_a[p], b = pair_b[p], i = body[a], j = body[b];
     const double dx = x[a] - x[b], dy = y[a] - y[b], dz = z[a] - z[b];
     const double limit = reach[p] + margin[i] + margin[j];
@@ -46,7 +49,15 @@ void list_near_pairs(const PairList& pairs, const Spheres& spheres, const Centre
     body_a[found] = i, body_b[found] = j;
     found += dx * dx + dy * dy + dz * dz < limit * limit;  // no branch: which pairs are near is hard to foresee
   }
-  slots.count = found;
+  return found - stretch.begin;
+}
+
+void append_pairs(std::size_t begin, std::size_t more, Slots& slots) {
+  for (auto* field : {&slots.first, &slots.second, &slots.body_a, &slots.body_b}) {
+    const auto from = field->begin() + static_cast<std::ptrdiff_t>(begin);
+    std::copy(from, from + static_cast<std::ptrdiff_t>(more), field->begin() + static_cast<std::ptrdiff_t>(slots.count));
+  }
+  slots.count += more;
 }
 
 void list_near_walls(const Bodies& bodies, const Spheres& spheres, const Centres& at, const Walls& walls, const Margins& margins,

@@ -13,6 +13,11 @@
 
 namespace regolab::dem {
 
+/// A stretch [begin, end) of slots, pairs or clusters: the share of a thread. Two meet at a multiple of kMostLanes.
+struct Stretch {
+  std::size_t begin, end;
+};
+
 /// The spheres of the near slots alone, side by side: only they are placed each step.
 struct Balls {
   std::vector<std::int32_t> sphere, body;  // [n_balls] in the order of the spheres
@@ -39,8 +44,13 @@ struct Slots {
   bool hold_springs = false;                 ///< false until springs were given to these slots
 };
 
-/// Listed pairs whose gap is below the sum of their clusters' margins.
-void list_near_pairs(const PairList& pairs, const Spheres& spheres, const Centres& at, const Margins& margins, Slots& slots);
+/// Listed pairs of a stretch whose gap is below the sum of their clusters' margins, to the slots from its begin on; returns how
+/// many. REQUIRES: make_room_for_pairs().
+std::size_t list_near_pairs(const PairList& pairs, const Spheres& spheres, const Centres& at, const Margins& margins, Stretch stretch,
+                            Slots& slots);
+void make_room_for_pairs(std::size_t listed, Slots& slots);
+/// Closes the gap between slots [0, count) and the `more` that stand from `begin` on.
+void append_pairs(std::size_t begin, std::size_t more, Slots& slots);
 
 /// Wall contacts whose gap is below the cluster's margin and the walls'.
 void list_near_walls(const Bodies& bodies, const Spheres& spheres, const Centres& at, const Walls& walls, const Margins& margins,

@@ -11,13 +11,16 @@
 namespace regolab::dem {
 namespace {
 
-/// Runs visit(begin, end) over [0, n), each thread its own stretch. Cuts lie at multiples of kMostLanes and do not show in the results.
+/// Runs visit(stretch, part) over [0, n), each thread its own part. Cuts lie at multiples of kMostLanes and do not show in the results.
 template <class Visit>
 void share_out(const World& w, std::size_t n, Visit visit) {
-  if (w.threads <= 1) return visit(std::size_t{0}, n);
+  if (w.threads <= 1) return visit(Stretch{0, n}, std::size_t{0});
   const auto parts = static_cast<std::size_t>(w.threads);
   const auto cut = [&](std::size_t t) { return t == parts ? n : n * t / parts / kMostLanes * kMostLanes; };
-  my_team(w.threads).run([&](int t) { visit(cut(static_cast<std::size_t>(t)), cut(static_cast<std::size_t>(t) + 1)); });
+  my_team(w.threads).run([&](int t) {
+    const auto part = static_cast<std::size_t>(t);
+    visit(Stretch{cut(part), cut(part + 1)}, part);
+  });
 }
 
 ForceInput input_of(const World& w) { return {w.law, w.dt, w.balls, w.bodies}; }
@@ -36,13 +39,26 @@ void renew_margins(World& w) {
   w.wall_margin = std::clamp(Margins::kSteps * w.dt * fastest, kLeastMargin * w.skin, kMostMargin * w.skin);
 }
 
+void list_near_pairs(World& w) {
+  make_room_for_pairs(w.pairs.a.size(), w.near_pairs);
+  struct Found {
+    std::size_t from = 0, count = 0;
+  };
+  std::vector<Found> found(static_cast<std::size_t>(w.threads));  // [threads] in the order of the list
+  share_out(w, w.pairs.a.size(), [&](Stretch s, std::size_t part) {
+    found[part] = {s.begin, list_near_pairs(w.pairs, w.spheres, w.centres, w.margins, s, w.near_pairs)};
+  });
+  w.near_pairs.count = 0;
+  for (const Found& part : found) append_pairs(part.from, part.count, w.near_pairs);
+}
+
 }  // namespace
 
 bool kick_and_drift(World& w) {
   const Kick kick{w.gravity, w.drag > 0.0 ? std::max(0.0, 1.0 - w.drag * w.dt) : 1.0, w.dt};
   std::atomic<bool> left = false;
-  share_out(w, w.bodies.x.size(), [&](std::size_t begin, std::size_t end) {
-    if (kick_and_drift(kick, begin, end, w.bodies, w.margins)) left.store(true, std::memory_order_relaxed);
+  share_out(w, w.bodies.x.size(), [&](Stretch s, std::size_t) {
+    if (kick_and_drift(kick, s.begin, s.end, w.bodies, w.margins)) left.store(true, std::memory_order_relaxed);
   });
   return move_walls(w.dt, w.wall_margin, w.walls_at_refresh, w.walls) || left;
 }
@@ -50,14 +66,15 @@ bool kick_and_drift(World& w) {
 void refresh_lists(World& w) {
   w.hold_springs();
   renew_margins(w);
-  sphere_centres(w.bodies, w.spheres, w.centres);
+  w.centres.resize(static_cast<std::size_t>(w.spheres.count()));
+  share_out(w, w.bodies.x.size(), [&](Stretch s, std::size_t) { sphere_centres(w.bodies, w.spheres, s.begin, s.end, w.centres); });
   if (w.lists_stale || moved_beyond(kUsableSkin * w.skin, w.pairs, w.bodies, w.margins)) {
     build_pairs(w.bodies, w.spheres, w.centres, w.skin, kListSteps * w.dt, w.pairs);
     w.lists_stale = false;
     ++w.list_builds;
   }
   w.near_pairs.keep_loads = w.near_walls.keep_loads = w.threads > 1;
-  list_near_pairs(w.pairs, w.spheres, w.centres, w.margins, w.near_pairs);
+  list_near_pairs(w);
   list_near_walls(w.bodies, w.spheres, w.centres, w.walls, w.margins, w.wall_margin, w.near_walls);
   fill_pair_slots(w.law, w.bodies, w.near_pairs);
   fill_wall_slots(w.law, w.bodies, w.near_walls);
@@ -69,26 +86,26 @@ void refresh_lists(World& w) {
 }
 
 void place_balls(World& w) {
-  share_out(w, w.balls.sphere.size(), [&](std::size_t begin, std::size_t end) { place_balls(w.bodies, begin, end, w.balls); });
+  share_out(w, w.balls.sphere.size(), [&](Stretch s, std::size_t) { place_balls(w.bodies, s.begin, s.end, w.balls); });
 }
 
 void press_pairs(World& w) {
   Load* loads = w.threads <= 1 ? w.bodies.load.data() : nullptr;
   share_out(w, w.near_pairs.count,
-            [&](std::size_t begin, std::size_t end) { press_pairs(input_of(w), {begin, end}, w.near_pairs, loads); });
+            [&](Stretch s, std::size_t) { press_pairs(input_of(w), s, w.near_pairs, loads); });
 }
 
 void press_walls(World& w) {
   Load* loads = w.threads <= 1 ? w.bodies.load.data() : nullptr;
   share_out(w, w.near_walls.count,
-            [&](std::size_t begin, std::size_t end) { press_walls(input_of(w), w.walls, {begin, end}, w.near_walls, loads); });
+            [&](Stretch s, std::size_t) { press_walls(input_of(w), w.walls, s, w.near_walls, loads); });
   sum_wall_forces(w.near_walls, w.walls);
 }
 
 void sum_loads(World& w) {
   if (w.threads <= 1) return;
-  share_out(w, w.bodies.x.size(), [&](std::size_t begin, std::size_t end) {
-    sum_loads(w.shares, w.near_pairs, w.near_walls, {begin, end}, w.bodies.load);
+  share_out(w, w.bodies.x.size(), [&](Stretch s, std::size_t) {
+    sum_loads(w.shares, w.near_pairs, w.near_walls, s, w.bodies.load);
   });
 }
 
