@@ -56,6 +56,7 @@ JobRecord read_job(const Statement& s, int c) {
                           .numerics = read_numerics(s, c + 17),
                           .seed = static_cast<std::uint64_t>(s.integer(c + 4)),
                           .confining_stress = s.real(c + 5)};
+  record.identity.spec.numerics.most_damping_ratio = s.real(c + 39);
   JobStatus& status = record.status;
   status.state = static_cast<JobState>(index_of(kJobStateNames, s.text(c + 26)));
   status.token = LeaseToken{static_cast<std::uint64_t>(s.integer(c + 27))};

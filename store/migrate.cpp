@@ -6,7 +6,10 @@ namespace regolab {
 namespace {
 
 /// migrations[v] takes a file from version v to v + 1.
-constexpr const char* kMigrations[] = {kSchema};
+constexpr const char* kMigrations[] = {
+    kSchema,
+    "ALTER TABLE job ADD COLUMN most_damping_ratio REAL NOT NULL DEFAULT 0;",  // 0 = every dashpot as given, as it was
+};
 static_assert(std::size(kMigrations) == kSchemaVersion);
 
 Result<std::int64_t> number(Database& db, const char* pragma) {

@@ -81,6 +81,7 @@ v1::StageSpec to_proto(const StageSpec& spec) {
   n.set_step_fraction(spec.numerics.step_fraction);
   n.set_inertial_number(spec.numerics.inertial_number);
   n.set_axial_strain(spec.numerics.axial_strain);
+  n.set_most_damping_ratio(spec.numerics.most_damping_ratio);
   return out;
 }
 
@@ -111,6 +112,7 @@ Result<StageSpec> from_proto(const v1::StageSpec& spec) {
                              .stress_stiffness_number = n.stress_stiffness_number(),
                              .mass_floor = n.mass_floor(),
                              .step_fraction = n.step_fraction(),
+                             .most_damping_ratio = n.most_damping_ratio(),
                              .inertial_number = n.inertial_number(),
                              .axial_strain = n.axial_strain()},
                 .seed = spec.seed(),
@@ -119,7 +121,7 @@ Result<StageSpec> from_proto(const v1::StageSpec& spec) {
   const Numerics& d = out.numerics;
   if (!finite({c.friction_angle, c.normal_stiffness, c.normal_damping, c.tangential_stiffness, c.tangential_damping,
                c.largest_diameter, c.grain_density, c.gravity, d.box_length, d.box_width, d.settle_stiffness_number,
-               d.stress_stiffness_number, d.mass_floor, d.step_fraction, d.inertial_number, d.axial_strain,
+               d.stress_stiffness_number, d.mass_floor, d.step_fraction, d.most_damping_ratio, d.inertial_number, d.axial_strain,
                out.confining_stress})) {
     return invalid("stage refused (a parameter is not a finite number)");
   }

@@ -36,6 +36,7 @@ Fields bed_fields(const StageSpec& spec) {
       {"kind", std::to_string(static_cast<int>(m.kind))},
       {"largest_diameter", shortest(m.largest_diameter)},
       {"mass_floor", shortest(n.mass_floor)},
+      {"most_damping_ratio", shortest(n.most_damping_ratio)},
       {"normal_damping", shortest(m.normal_damping)},
       {"normal_stiffness", shortest(m.normal_stiffness)},
       {"rotation", std::to_string(static_cast<int>(m.rotation))},

@@ -9,7 +9,7 @@
 namespace regolab {
 
 /// Bumped whenever the same StageSpec would give other bits: results of another version are never mixed.
-inline constexpr int kPhysicsVersion = 1;
+inline constexpr int kPhysicsVersion = 2;
 
 enum class StageKind {
   kSettle = 0,  ///< generation, replacement, sedimentation; leaves a bed
@@ -37,6 +37,7 @@ struct Numerics {
   double stress_stiffness_number = 1000;  ///< the same with p = sigma3 in the stress test
   double mass_floor = 0.4;             ///< grains smaller than this share of L_S carry the mass of that size
   double step_fraction = 0.15;         ///< share of sqrt(m/K) taken as the step
+  double most_damping_ratio = 0;       ///< contacts damped beyond this share of critical count as damped by it; 0 = as given
   double inertial_number = 1e-2;       ///< sets the axial strain rate of the stress test
   double axial_strain = 0.20;          ///< end of the stress test
 

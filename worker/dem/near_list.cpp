@@ -81,21 +81,21 @@ void list_near_walls(const Bodies& bodies, const Spheres& spheres, const Centres
   }
 }
 
-void fill_pair_slots(const LinearLaw& law, const Bodies& bodies, Slots& s) {
+void fill_pair_slots(const Bodies& bodies, Slots& s) {
   relax(s);
   make_room(s.count, s.ball_b);
   for (std::size_t k = 0; k < s.count; ++k) {
     const auto i = static_cast<std::size_t>(s.body_a[k]), j = static_cast<std::size_t>(s.body_b[k]);
-    s.root_mass[k] = law.damping_is_ratio ? 1.0 / std::sqrt(bodies.inverse_mass[i] + bodies.inverse_mass[j]) : 1.0;
+    s.root_mass[k] = 1.0 / std::sqrt(bodies.inverse_mass[i] + bodies.inverse_mass[j]);
   }
 }
 
-void fill_wall_slots(const LinearLaw& law, const Bodies& bodies, Slots& s) {
+void fill_wall_slots(const Bodies& bodies, Slots& s) {
   relax(s);
   make_room(s.count, s.normal, s.shear);
   std::fill_n(s.normal.begin(), s.count, kApart);
   for (std::size_t k = 0; k < s.count; ++k) {
-    s.root_mass[k] = law.damping_is_ratio ? std::sqrt(bodies.mass[static_cast<std::size_t>(s.body_a[k])]) : 1.0;
+    s.root_mass[k] = std::sqrt(bodies.mass[static_cast<std::size_t>(s.body_a[k])]);
   }
 }
 

@@ -35,7 +35,7 @@ struct Slots {
   std::vector<std::int32_t> first, second;   // [count] sphere and sphere, or wall and sphere: the canonical order
   std::vector<std::int32_t> body_a, body_b;  // [count]
   std::vector<std::int32_t> ball_a, ball_b;  // [count]
-  std::vector<double> root_mass;             // [count] see LinearLaw
+  std::vector<double> root_mass;             // [count] root of the effective mass [kg^0.5]
   std::vector<double> sx, sy, sz;            // [count] spring [m]
   std::vector<double> fx, fy, fz;            // [count] force on a in the last step [N]
   std::vector<Load> load;                    // [count] on a, where threads share a step
@@ -57,8 +57,8 @@ void list_near_walls(const Bodies& bodies, const Spheres& spheres, const Centres
                      double wall_margin, Slots& slots);
 
 /// What the law needs besides the motion; springs relaxed.
-void fill_pair_slots(const LinearLaw& law, const Bodies& bodies, Slots& slots);
-void fill_wall_slots(const LinearLaw& law, const Bodies& bodies, Slots& slots);
+void fill_pair_slots(const Bodies& bodies, Slots& slots);
+void fill_wall_slots(const Bodies& bodies, Slots& slots);
 
 /// The spheres that the slots name, and where each slot finds its own.
 void collect_balls(const Spheres& spheres, Slots& pairs, Slots& walls, Balls& balls);

@@ -76,8 +76,8 @@ void refresh_lists(World& w) {
   w.near_pairs.keep_loads = w.near_walls.keep_loads = w.threads > 1;
   list_near_pairs(w);
   list_near_walls(w.bodies, w.spheres, w.centres, w.walls, w.margins, w.wall_margin, w.near_walls);
-  fill_pair_slots(w.law, w.bodies, w.near_pairs);
-  fill_wall_slots(w.law, w.bodies, w.near_walls);
+  fill_pair_slots(w.bodies, w.near_pairs);
+  fill_wall_slots(w.bodies, w.near_walls);
   give_springs(w.pair_springs, w.near_pairs);
   give_springs(w.wall_springs, w.near_walls);
   collect_balls(w.spheres, w.near_pairs, w.near_walls, w.balls);

@@ -104,11 +104,12 @@ double weight(const World& world, double gravity) {
 }
 
 double stable_step(const World& world, double fraction) {
-  const double lightest = *std::min_element(world.bodies.mass.begin(), world.bodies.mass.end());
-  const double stiffest = std::max(world.law.normal_stiffness, world.law.tangential_stiffness);
-  const double strongest = std::max(world.law.normal_damping, world.law.tangential_damping);
-  const double root = world.law.damping_is_ratio ? std::sqrt(lightest) : 1.0;
-  const double zeta = strongest * root / (2 * std::sqrt(lightest * stiffest));
+  const LinearLaw& law = world.law;
+  const double lightest = *std::min_element(world.bodies.mass.begin(), world.bodies.mass.end()), root = std::sqrt(lightest);
+  const double stiffest = std::max(law.normal_stiffness, law.tangential_stiffness);
+  const double strongest = std::max(Dashpot(law, law.normal_stiffness, law.normal_damping).eta(root),
+                                    Dashpot(law, law.tangential_stiffness, law.tangential_damping).eta(root));
+  const double zeta = strongest / (2 * std::sqrt(lightest * stiffest));
   return fraction * std::sqrt(lightest / stiffest) * (std::sqrt(1 + zeta * zeta) - zeta);
 }
 

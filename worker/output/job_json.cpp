@@ -54,6 +54,7 @@ Json numerics_json(const Job& job) {
           {"stress_stiffness_number", n.stress_stiffness_number},
           {"mass_floor", n.mass_floor},
           {"step_fraction", n.step_fraction},
+          {"most_damping_ratio", n.most_damping_ratio},
           {"inertial_number", n.inertial_number},
           {"axial_strain", n.axial_strain}};
 }

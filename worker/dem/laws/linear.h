@@ -4,8 +4,8 @@
 
 namespace regolab::dem {
 
-/// SI. `root_mass` of a contact is 1 when eta is absolute; sqrt(m_eff) when eta is a ratio, and then the damping constants
-/// here are 2 zeta sqrt(K), so that their product is 2 zeta sqrt(m_eff K) in N s/m.
+/// SI. When eta is a ratio the damping constants here are 2 zeta sqrt(K), so that times the root of a contact's effective mass they
+/// are 2 zeta sqrt(m_eff K) in N s/m.
 struct LinearLaw {
   double normal_stiffness = 0;      ///< K_N [N/m]
   double normal_damping = 0;        ///< eta_N
@@ -13,10 +13,14 @@ struct LinearLaw {
   double tangential_damping = 0;    ///< eta_T
   double friction = 0;              ///< tan(theta_F) between grains
   bool damping_is_ratio = false;
+  /// Contacts damped beyond this share of critical count as damped by it; 0 = as given. A dead collision stays dead, and the
+  /// smallest grains' dashpots no longer set the step.
+  double most_damping_ratio = 0;
 
   template <class A>
   void archive(A& ar) {
-    ar(normal_stiffness, normal_damping, tangential_stiffness, tangential_damping, friction, damping_is_ratio);
+    ar(normal_stiffness, normal_damping, tangential_stiffness, tangential_damping, friction, damping_is_ratio,
+       most_damping_ratio);
   }
 };
 
@@ -30,6 +34,20 @@ struct ContactPoint {
   Real fx{}, fy{}, fz{};    ///< out
 };
 
+/// eta of a dashpot as a function of the root of the contact's effective mass: min(plain + per_root * root, most * root) [N s/m].
+struct Dashpot {
+  double plain, per_root, most;
+  Dashpot(const LinearLaw& law, double stiffness, double damping)
+      : plain(law.damping_is_ratio ? 0.0 : damping), per_root(law.damping_is_ratio ? damping : 0.0),
+        most(law.most_damping_ratio > 0 ? 2 * law.most_damping_ratio * std::sqrt(stiffness) : kUnlimited) {}
+  template <class Real>
+  REGOLAB_INLINE Real eta(const Real& root_mass) const {
+    const Real asked = plain + per_root * root_mass, limit = most * root_mass;
+    return select(asked < limit, asked, limit);
+  }
+  static constexpr double kUnlimited = 1e300;
+};
+
 inline constexpr double kTiny = 1e-300;  ///< keeps a division finite without a branch
 
 /// Never pulls. The spring turns with the tangent plane and keeps its length; while sliding the whole tangential force is at
@@ -37,9 +55,10 @@ inline constexpr double kTiny = 1e-300;  ///< keeps a division finite without a 
 template <class Real>
 REGOLAB_INLINE void linear_contact(const LinearLaw& law, const Real& friction, const Real& root_mass, double dt,
                                    ContactPoint<Real>& c) noexcept {
+  const Dashpot normal(law, law.normal_stiffness, law.normal_damping), tangential(law, law.tangential_stiffness, law.tangential_damping);
   const Real zero{}, one = zero + 1.0, tiny = zero + kTiny;
   const Real vn = c.vx * c.nx + c.vy * c.ny + c.vz * c.nz;
-  const Real pushed = law.normal_stiffness * c.overlap - law.normal_damping * root_mass * vn;
+  const Real pushed = law.normal_stiffness * c.overlap - normal.eta(root_mass) * vn;
   const Real fn = select(pushed > zero, pushed, zero);
   const Real ux = c.vx - vn * c.nx, uy = c.vy - vn * c.ny, uz = c.vz - vn * c.nz;
 
@@ -50,7 +69,7 @@ REGOLAB_INLINE void linear_contact(const LinearLaw& law, const Real& friction, c
   const Real sx = (c.sx - along * c.nx) * keep + dt * ux, sy = (c.sy - along * c.ny) * keep + dt * uy,
              sz = (c.sz - along * c.nz) * keep + dt * uz;
 
-  const Real damping = law.tangential_damping * root_mass;
+  const Real damping = tangential.eta(root_mass);
   const Real tx = -law.tangential_stiffness * sx - damping * ux;
   const Real ty = -law.tangential_stiffness * sy - damping * uy;
   const Real tz = -law.tangential_stiffness * sz - damping * uz;
