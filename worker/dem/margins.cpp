@@ -5,16 +5,25 @@
 
 namespace regolab::dem {
 
-void Margins::renew(const Bodies& b, double dt, double least, double most) {
+void allow(const Bodies& b, const Travel& travel, std::vector<double>& distance) {
   const std::size_t n = b.x.size();
-  margin.resize(n);
-  path.assign(n, 0.0);
-  anything_swings = std::any_of(b.swing.begin(), b.swing.end(), [](double swing) { return swing > 0; });
+  distance.resize(n);
+  double sum = 0;
   for (std::size_t i = 0; i < n; ++i) {
     const double v2 = b.vx[i] * b.vx[i] + b.vy[i] * b.vy[i] + b.vz[i] * b.vz[i];
     const double w2 = b.wx[i] * b.wx[i] + b.wy[i] * b.wy[i] + b.wz[i] * b.wz[i];
-    margin[i] = std::clamp(kSteps * dt * std::sqrt(fastest_point2(v2, w2, b.swing[i])), least, most);
+    distance[i] = std::sqrt(fastest_point2(v2, w2, b.swing[i]));
+    sum += distance[i];
   }
+  const double mean = n > 0 ? sum / static_cast<double>(n) : 0.0;  // a cluster at rest may be hit by one that is not
+  for (double& d : distance) d = std::clamp(travel.time * (d + mean), travel.least, travel.most);
+}
+
+void Lasting::renew(std::int64_t step) {
+  const auto lasted = step - made_at;
+  if (lasted < fewest) steps = std::min(high, 1.5 * steps);
+  if (lasted > most) steps = std::max(low, 0.8 * steps);
+  made_at = step;
 }
 
 }  // namespace regolab::dem

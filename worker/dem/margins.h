@@ -10,13 +10,25 @@ namespace regolab::dem {
 /// Near lists hold every pair closer than the two margins together, so they serve until some cluster's path is longer than its own
 /// margin. A path adds up the speeds of the cluster's fastest sphere: it never falls short of the displacement.
 struct Margins {
-  static constexpr double kSteps = 100;  ///< that a margin lasts at the present speed: fewer look too often, more list too many
   std::vector<double> margin;  // [n] [m]
   std::vector<double> path;    // [n] since the lists were made [m]
   bool anything_swings = true; ///< false when every cluster is one sphere: then turns move nothing
+};
 
-  /// From the present speeds: long enough for kSteps, within [least, most] [m].
-  void renew(const Bodies& bodies, double dt, double least, double most);
+/// Distance for each cluster to go in `time` at its own speed and the bed's together, within [least, most] [m].
+struct Travel {
+  double time = 0;             ///< [s]
+  double least = 0, most = 0;  ///< [m]
+};
+void allow(const Bodies& bodies, const Travel& travel, std::vector<double>& distance);
+
+/// How many steps a list should last, steered by how long the last one did: short lists cost searches, long ones hold too much.
+struct Lasting {
+  double steps;                ///< at the present speeds
+  int fewest, most;            ///< between these nothing changes
+  double low, high;            ///< bounds of `steps`
+  std::int64_t made_at = 0;    ///< step
+  void renew(std::int64_t step);
 };
 
 /// Bound on the speed of any sphere centre of a cluster, from the squares of its speeds [m/s]: (a + b)^2 <= 2 (a^2 + b^2).

@@ -19,22 +19,25 @@ struct PairList {
   std::vector<std::int32_t> a, b;      // [n_pairs] sphere indices, a < b
   std::vector<double> sum_of_radii;    // [n_pairs] [m]
   Poses at_build;
+  std::vector<double> allowance;       // [n] how far each cluster may get from there [m]
   std::vector<double> swing;           // [n] farthest sphere centre that counts when a cluster turns; 0 of a tumbling one [m]
 
   struct Scratch {
     Centres at;                        // [n_spheres + a pack] where the search takes them to be
     std::vector<double> radius;        // [n_spheres + a pack]
+    std::vector<double> reach;         // [n]
     std::vector<std::int32_t> others;
     CellGrid grid;
   } scratch;
 };
 
-/// Every pair of spheres of different, present clusters with a gap below `skin`. Two clusters held fixed make no pairs. A cluster that
-/// turns so fast that it would use up the skin at once (`soon` [s]) is listed by its bounding ball: then its turn does not matter.
-void build_pairs(const Bodies& bodies, const Spheres& spheres, const Centres& centres, double skin, double soon, PairList& pairs);
+/// Every pair of spheres of different, present clusters with a gap below the sum of their clusters' allowances (set in `pairs`). Two
+/// clusters held fixed make no pairs. A cluster whose turn alone would use up half its allowance in `time` [s] is listed by its
+/// bounding ball: then its turn does not matter.
+void build_pairs(const Bodies& bodies, const Spheres& spheres, const Centres& centres, double time, PairList& pairs);
 
-/// True when a sphere of some cluster, moved since and free to go its margin farther, may get beyond `limit`. Conservative: sphere
-/// centres move at most |dx| + swing * angle.
-bool moved_beyond(double limit, const PairList& pairs, const Bodies& bodies, const Margins& margins);
+/// True when a sphere of some cluster, moved since and free to go its margin farther, may get beyond its allowance. Conservative:
+/// sphere centres move at most |dx| + swing * angle.
+bool moved_beyond(const PairList& pairs, const Bodies& bodies, const Margins& margins);
 
 }  // namespace regolab::dem

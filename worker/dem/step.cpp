@@ -25,18 +25,30 @@ void share_out(const World& w, std::size_t n, Visit visit) {
 
 ForceInput input_of(const World& w) { return {w.law, w.dt, w.balls, w.bodies}; }
 
-/// The pair list serves while every pair that its margins could bring together stands in it.
-constexpr double kMostMargin = 0.25, kUsableSkin = 0.5, kLeastMargin = 0.0005;  // of the skin
-constexpr double kListSteps = 1000;  // that a pair list should last
-
 void renew_margins(World& w) {
-  w.margins.renew(w.bodies, w.dt, kLeastMargin * w.skin, kMostMargin * w.skin);
+  const Travel travel{.time = w.near_lists.steps * w.dt, .least = 5e-4 * w.skin, .most = w.skin};
+  allow(w.bodies, travel, w.margins.margin);
+  w.margins.path.assign(w.bodies.x.size(), 0.0);
+  w.margins.anything_swings = std::any_of(w.bodies.swing.begin(), w.bodies.swing.end(), [](double swing) { return swing > 0; });
   double fastest = 0;
   for (std::size_t id = 0; id < kWalls; ++id) {
     w.walls_at_refresh[id] = w.walls.wall[id].position;
     fastest = std::max(fastest, std::abs(w.walls.wall[id].velocity));
   }
-  w.wall_margin = std::clamp(Margins::kSteps * w.dt * fastest, kLeastMargin * w.skin, kMostMargin * w.skin);
+  w.wall_margin = std::clamp(2 * travel.time * fastest, travel.least, travel.most);
+}
+
+/// Allowances of at least twice the margins: else the list would be stale when made.
+void list_pairs(World& w) {
+  w.pair_lists.renew(w.step);
+  const double time = w.pair_lists.steps * w.dt;
+  allow(w.bodies, {.time = time, .least = 0.1 * w.skin, .most = 4 * w.skin}, w.pairs.allowance);
+  for (std::size_t i = 0; i < w.pairs.allowance.size(); ++i) {
+    w.pairs.allowance[i] = std::max(w.pairs.allowance[i], 2 * w.margins.margin[i]);
+  }
+  build_pairs(w.bodies, w.spheres, w.centres, time, w.pairs);
+  w.lists_stale = false;
+  ++w.list_builds;
 }
 
 void list_near_pairs(World& w) {
@@ -65,14 +77,11 @@ bool kick_and_drift(World& w) {
 
 void refresh_lists(World& w) {
   w.hold_springs();
+  w.near_lists.renew(w.step);
   renew_margins(w);
   w.centres.resize(static_cast<std::size_t>(w.spheres.count()));
   share_out(w, w.bodies.x.size(), [&](Stretch s, std::size_t) { sphere_centres(w.bodies, w.spheres, s.begin, s.end, w.centres); });
-  if (w.lists_stale || moved_beyond(kUsableSkin * w.skin, w.pairs, w.bodies, w.margins)) {
-    build_pairs(w.bodies, w.spheres, w.centres, w.skin, kListSteps * w.dt, w.pairs);
-    w.lists_stale = false;
-    ++w.list_builds;
-  }
+  if (w.lists_stale || moved_beyond(w.pairs, w.bodies, w.margins)) list_pairs(w);
   w.near_pairs.keep_loads = w.near_walls.keep_loads = w.threads > 1;
   list_near_pairs(w);
   list_near_walls(w.bodies, w.spheres, w.centres, w.walls, w.margins, w.wall_margin, w.near_walls);

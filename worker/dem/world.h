@@ -20,7 +20,7 @@ struct World {
   double gravity = 0;        ///< magnitude, along -z [m/s2]
   double dt = 0;             ///< [s]
   double drag = 0;           ///< share of velocity and spin taken per second, to quench residual motion [1/s]
-  double skin = 0;           ///< of the pair list [m]
+  double skin = 0;           ///< of the pair list where little moves [m]
   std::int64_t step = 0;
   double time = 0;           ///< [s]
   double wall_work = 0;      ///< done by moving walls on the grains so far [J]
@@ -30,6 +30,8 @@ struct World {
   // Follows from the state; not saved, and not seen in the results.
   PairList pairs;            ///< within the skin
   Margins margins;
+  Lasting near_lists{.steps = 20, .fewest = 8, .most = 25, .low = 5, .high = 1000};
+  Lasting pair_lists{.steps = 400, .fewest = 150, .most = 800, .low = 50, .high = 10000};
   double wall_margin = 0;    ///< [m]
   std::array<double, kWalls> walls_at_refresh{};  ///< [m]
   Slots near_pairs, near_walls;

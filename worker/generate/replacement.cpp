@@ -83,8 +83,8 @@ double deepest_overlap_between_clusters(const dem::World& world) {
   const dem::Spheres& s = world.spheres;
   dem::PairList pairs;
   const dem::Centres at = dem::sphere_centres(world.bodies, s);
-  constexpr double kAtRest = 1;  // nothing turns: any time will do
-  dem::build_pairs(world.bodies, s, at, 0.0, kAtRest, pairs);
+  pairs.allowance.assign(world.bodies.x.size(), 0.0);
+  dem::build_pairs(world.bodies, s, at, 0.0, pairs);
   double deepest = -std::numeric_limits<double>::infinity();
   for (std::size_t k = 0; k < pairs.a.size(); ++k) {
     const auto a = static_cast<std::size_t>(pairs.a[k]), b = static_cast<std::size_t>(pairs.b[k]);
