@@ -19,10 +19,9 @@ void allow(const Bodies& b, const Travel& travel, std::vector<double>& distance)
   for (double& d : distance) d = std::clamp(travel.time * (d + mean), travel.least, travel.most);
 }
 
-void Lasting::renew(std::int64_t step) {
-  const auto lasted = step - made_at;
-  if (lasted < fewest) steps = std::min(high, 1.5 * steps);
-  if (lasted > most) steps = std::max(low, 0.8 * steps);
+void Lasting::renew(std::int64_t step, double burden, double low_burden, double high_burden) {
+  if (step - made_at < fewest || burden < low_burden) steps = std::min(high, 1.25 * steps);
+  else if (burden > high_burden) steps = std::max(low, 0.8 * steps);
   made_at = step;
 }
 

@@ -22,13 +22,15 @@ struct Travel {
 };
 void allow(const Bodies& bodies, const Travel& travel, std::vector<double>& distance);
 
-/// How many steps a list should last, steered by how long the last one did: short lists cost searches, long ones hold too much.
+/// How many steps a list should last at the present speeds. Steered: a list that lasts is long, and holds much that is of no use; a
+/// short one costs searches. Does not show in the results.
 struct Lasting {
-  double steps;                ///< at the present speeds
-  int fewest, most;            ///< between these nothing changes
-  double low, high;            ///< bounds of `steps`
-  std::int64_t made_at = 0;    ///< step
-  void renew(std::int64_t step);
+  double steps, low, high;   ///< asked for, and its bounds
+  int fewest;                ///< a list that lasted less is lengthened
+  std::int64_t made_at = 0;  ///< step
+  /// `burden` is the share of what the list held that was of no use; above `high_burden` the next list is shorter, below `low_burden`
+  /// longer.
+  void renew(std::int64_t step, double burden, double low_burden, double high_burden);
 };
 
 /// Bound on the speed of any sphere centre of a cluster, from the squares of its speeds [m/s]: (a + b)^2 <= 2 (a^2 + b^2).

@@ -38,9 +38,16 @@ void renew_margins(World& w) {
   w.wall_margin = std::clamp(2 * travel.time * fastest, travel.least, travel.most);
 }
 
+/// Slots that did not touch in the last step, as a share of all work that grows with slots or clusters.
+double idle_slots(const World& w) {
+  const double slots = static_cast<double>(w.near_pairs.count), touching = static_cast<double>(count_touching(w.near_pairs));
+  return (slots - touching) / (slots + 0.5 * static_cast<double>(w.bodies.x.size()));
+}
+
 /// Allowances of at least twice the margins: else the list would be stale when made.
 void list_pairs(World& w) {
-  w.pair_lists.renew(w.step);
+  const double pairs_per_cluster = static_cast<double>(w.pairs.a.size()) / static_cast<double>(w.bodies.x.size());
+  w.pair_lists.renew(w.step, pairs_per_cluster, 4, 10);
   const double time = w.pair_lists.steps * w.dt;
   allow(w.bodies, {.time = time, .least = 0.1 * w.skin, .most = 4 * w.skin}, w.pairs.allowance);
   for (std::size_t i = 0; i < w.pairs.allowance.size(); ++i) {
@@ -77,7 +84,7 @@ bool kick_and_drift(World& w) {
 
 void refresh_lists(World& w) {
   w.hold_springs();
-  w.near_lists.renew(w.step);
+  w.near_lists.renew(w.step, idle_slots(w), 0.22, 0.30);
   renew_margins(w);
   w.centres.resize(static_cast<std::size_t>(w.spheres.count()));
   share_out(w, w.bodies.x.size(), [&](Stretch s, std::size_t) { sphere_centres(w.bodies, w.spheres, s.begin, s.end, w.centres); });

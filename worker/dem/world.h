@@ -30,8 +30,8 @@ struct World {
   // Follows from the state; not saved, and not seen in the results.
   PairList pairs;            ///< within the skin
   Margins margins;
-  Lasting near_lists{.steps = 20, .fewest = 8, .most = 25, .low = 5, .high = 1000};
-  Lasting pair_lists{.steps = 400, .fewest = 150, .most = 800, .low = 50, .high = 10000};
+  Lasting near_lists{.steps = 20, .low = 5, .high = 300, .fewest = 8};
+  Lasting pair_lists{.steps = 200, .low = 30, .high = 3000, .fewest = 100};
   double wall_margin = 0;    ///< [m]
   std::array<double, kWalls> walls_at_refresh{};  ///< [m]
   Slots near_pairs, near_walls;
