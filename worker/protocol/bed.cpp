@@ -28,12 +28,14 @@ void raise_walls(Bed& bed) {
 
 }  // namespace
 
-dem::LinearLaw softened_law(const Micro& micro, double most) {
+dem::LinearLaw softened_law(const Bed& bed, double most) {
+  const Micro& micro = bed.micro;
   const double factor = most > 0 ? std::min(1.0, most / micro.normal_stiffness) : 1.0;
   dem::LinearLaw law;
   law.normal_stiffness = factor * micro.normal_stiffness;
   law.tangential_stiffness = factor * micro.tangential_stiffness;
   law.friction = std::tan(micro.friction_angle);
+  law.most_damping_ratio = bed.most_damping_ratio;
   law.damping_is_ratio = micro.damping_unit == DampingUnit::kRatio;
   if (law.damping_is_ratio) {
     law.normal_damping = 2 * micro.normal_damping * std::sqrt(law.normal_stiffness);
@@ -53,6 +55,7 @@ std::string generate_bed(const StageSpec& spec, Bed& bed) {
   bed.length = base.length;
   bed.width = base.width;
   bed.step_fraction = spec.numerics.step_fraction;
+  bed.most_damping_ratio = spec.numerics.most_damping_ratio;
   const generate::Random random(spec.seed);
   const auto diameters = generate::parent_diameters(spec.numerics.clusters, spec.micro.largest_diameter, random);
   std::optional<generate::Parents> parents;
@@ -71,7 +74,7 @@ std::string generate_bed(const StageSpec& spec, Bed& bed) {
   }
   raise_walls(bed);
   const double kappa = spec.numerics.settle_stiffness_number;
-  bed.world.law = softened_law(spec.micro, kappa > 0 ? kappa * bed.pressure() * bed.mean_diameter() : 0);
+  bed.world.law = softened_law(bed, kappa > 0 ? kappa * bed.pressure() * bed.mean_diameter() : 0);
   bed.world.gravity = spec.micro.gravity;
   bed.world.skin = 0.05 * spec.micro.largest_diameter;
   renew_step(bed);

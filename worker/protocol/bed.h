@@ -14,6 +14,7 @@ struct Bed {
   double width = 0;           ///< W of the box
   double solid_volume = 0;    ///< V_P, of all clusters [m3]
   double step_fraction = 0.15;
+  double most_damping_ratio = 0;  ///< see LinearLaw
 
   double mean_diameter() const { return 0.6 * micro.largest_diameter; }
   /// Half the bed's weight per area, solid: the pressure that sets the softened stiffness of settling and repose [Pa].
@@ -23,13 +24,13 @@ struct Bed {
   void archive(A& ar) {
     ar(world, micro.friction_angle, micro.normal_stiffness, micro.normal_damping, micro.tangential_stiffness,
        micro.tangential_damping, micro.largest_diameter, micro.kind, micro.rotation, micro.damping_unit, micro.grain_density,
-       micro.gravity, length, width, solid_volume, step_fraction);
+       micro.gravity, length, width, solid_volume, step_fraction, most_damping_ratio);
   }
 };
 
 /// The contact law with K_N -> min(K_N, most), K_T in the same ratio and eta with the root of the factor, so the damping ratio
 /// stays [protocols, section 3]. most <= 0 keeps the true stiffness.
-dem::LinearLaw softened_law(const Micro& micro, double most);
+dem::LinearLaw softened_law(const Bed& bed, double most);
 
 /// Random generation and replacement under the settings of `spec`; empty text, or why there is no bed.
 std::string generate_bed(const StageSpec& spec, Bed& bed);

@@ -32,7 +32,7 @@ Stress::Stress(Bed bed, const StageSpec& spec)
       end_strain_(spec.numerics.axial_strain) {
   start_law_ = bed_.world.law;
   const double kappa = spec.numerics.stress_stiffness_number;
-  end_law_ = softened_law(bed_.micro, kappa > 0 ? kappa * sigma3_ * bed_.mean_diameter() : 0);
+  end_law_ = softened_law(bed_, kappa > 0 ? kappa * sigma3_ * bed_.mean_diameter() : 0);
 }
 
 /// d sqrt(rho/p): the time in which grains rearrange under the present pressure [s].
