@@ -130,7 +130,7 @@ TEST_F(MigrateTest, ASecondOpenChangesNothing) {
   EXPECT_EQ(text(db, kSchemaText), schema);
 }
 
-TEST_F(MigrateTest, AMigratedFileHasTheColumnsOfANewOneAndTakesNewJobs) {
+TEST_F(MigrateTest, AMigratedFileHasWhatANewOneHasAndTakesNewJobs) {
   make_version_1();
   StageSpec capped = test::stage(StageKind::kSettle, 8);
   capped.numerics.most_damping_ratio = 0.75;
@@ -150,6 +150,8 @@ TEST_F(MigrateTest, AMigratedFileHasTheColumnsOfANewOneAndTakesNewJobs) {
   ASSERT_TRUE(Store::open(fresh_path).ok());
   Database migrated = raw(), fresh = std::move(Database::open(fresh_path, Access::kWrite)).value();
   EXPECT_EQ(text(migrated, columns), text(fresh, columns));
+  const char* parts = "SELECT group_concat(part) FROM (SELECT type || ' ' || name AS part FROM sqlite_schema ORDER BY part)";
+  EXPECT_EQ(text(migrated, parts), text(fresh, parts));
 }
 
 /// Refuses the last statement, after the new column is there.
