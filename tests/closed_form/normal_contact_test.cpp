@@ -121,6 +121,72 @@ TEST(AbsoluteDamping, IsTheRatioTimesTwiceTheRootOfMassAndStiffness) {
   EXPECT_NEAR(measure(ratio, m, 1e-3).restitution, measure(same, m, 1e-3).restitution, 1e-12);
 }
 
+dem::LinearLaw capped_law(double zeta, double cap) {
+  dem::LinearLaw law = damped_law(zeta);
+  law.tangential_damping = law.normal_damping;
+  law.most_damping_ratio = cap;
+  return law;
+}
+
+TEST(CappedDamping, OfAnOverdampedHeadOnCollisionGivesTheRestitutionOfTheCap) {
+  for (const double cap : {0.5, 1.0, 2.0}) {
+    World world = empty_world(capped_law(5, cap));
+    add_sphere(world, {0, 0, 0}, kRadius);
+    add_sphere(world, {0, 0, -3 * kRadius - 1e-9}, 2 * kRadius);
+    set_velocity(world, 0, {0, 0, -0.05});
+    set_velocity(world, 1, {0, 0, 0.05});
+    const double m = world.bodies.mass[0], n = world.bodies.mass[1];
+    const Impact impact = measure(world, m * n / (m + n), 1e-4), closed = without_tensile_phase(cap);
+    EXPECT_NEAR(impact.restitution, closed.restitution, 2e-4) << "cap " << cap;
+    EXPECT_NEAR(impact.contact_time, closed.contact_time, 1e-3) << "cap " << cap;
+  }
+  EXPECT_GT(without_tensile_phase(1).restitution, 10 * without_tensile_phase(5).restitution) << "the cap would not show";
+}
+
+TEST(CappedDamping, CutsAbsoluteDashpotsByEachContactsMass) {
+  dem::LinearLaw law = elastic_law(kStiffness);
+  law.normal_damping = 2 * 5 * std::sqrt(sphere_above_floor(law, 0.1).bodies.mass[0] * kStiffness);
+  law.most_damping_ratio = 1;
+  World world = sphere_above_floor(law, 0.1);
+  EXPECT_NEAR(measure(world, world.bodies.mass[0], 1e-4).restitution, without_tensile_phase(1).restitution, 2e-4);
+}
+
+/// Spinning, off centre and with friction, so that both dashpots work.
+std::string bits_after_a_glancing_hit(double zeta, double cap) {
+  dem::LinearLaw law = capped_law(zeta, cap);
+  law.friction = 0.5;
+  World world = sphere_above_floor(law, 0.1);
+  world.walls[dem::kFloor].friction = 0.5;
+  add_sphere(world, {0.5 * kRadius, 0, 3 * kRadius}, kRadius);
+  set_velocity(world, 1, {0, 0, -0.5});
+  set_spin(world, 1, {3, 5, 7});
+  world.dt = 0.02 * std::sqrt(world.bodies.mass[0] / kStiffness);
+  run(world, 4000);
+  world.law.most_damping_ratio = 0;  // the only number that may differ
+  return state_bytes(world);
+}
+
+TEST(CappedDamping, LeavesUnderdampedContactsBitForBitAsTheyAre) {
+  EXPECT_TRUE(bits_after_a_glancing_hit(0.3, 1) == bits_after_a_glancing_hit(0.3, 0));
+  EXPECT_FALSE(bits_after_a_glancing_hit(5, 1) == bits_after_a_glancing_hit(5, 0)) << "the cap would not show";
+}
+
+TEST(CappedDamping, SetsTheStepByTheCapAndNotByTheDashpot) {
+  const auto step_of = [](const dem::LinearLaw& law) {
+    World world = sphere_above_floor(law, 0.1);
+    add_sphere(world, {0, 0, 5 * kRadius}, 2 * kRadius);
+    return dem::stable_step(world, 0.15) / (0.15 * std::sqrt(world.bodies.mass[0] / kStiffness));
+  };
+  const auto factor = [](double zeta) { return std::sqrt(1 + zeta * zeta) - zeta; };
+  EXPECT_NEAR(step_of(capped_law(5, 1)), std::sqrt(2) - 1, 1e-14);
+  EXPECT_NEAR(step_of(capped_law(1.001, 1)), std::sqrt(2) - 1, 1e-14);
+  EXPECT_NEAR(step_of(capped_law(5, 0)), factor(5), 1e-14);
+  EXPECT_NEAR(step_of(capped_law(0.3, 1)), factor(0.3), 1e-14);
+  dem::LinearLaw tangential_alone = capped_law(5, 1);
+  tangential_alone.normal_damping = 0;
+  EXPECT_NEAR(step_of(tangential_alone), std::sqrt(2) - 1, 1e-14);
+}
+
 /// Spheres one on another on the floor, from the largest up, at rest; soft, so that overlaps stand well above round-off.
 World stack_of(std::initializer_list<double> radii) {
   World world = empty_world(damped_law(0.5, kSoft));
