@@ -1,6 +1,8 @@
 /// Bits: the same on any number of threads, with any width of the hot loops, whatever the skin of the lists, and after a stop anywhere.
 #include <gtest/gtest.h>
 
+#include <limits>
+
 #include <cmath>
 
 #include "support/packing.h"
@@ -106,6 +108,25 @@ TEST(Determinism, SavedAndLoadedAtRandomStepsItGoesOnBitForBit) {
     now = std::move(loaded);
   }
   EXPECT_EQ(state_bytes(now), state_bytes(whole));
+}
+
+TEST(Determinism, ThreadsMayComeAndGoBetweenSteps) {
+  World steady = falling_swarm(), changing = falling_swarm();
+  run(steady, 300);
+  for (const int threads : {1, 2, 1}) {
+    changing.threads = threads;
+    run(changing, 100);
+  }
+  EXPECT_EQ(state_bytes(changing), state_bytes(steady));
+}
+
+TEST(Determinism, ARunThatBlewUpIsToldNotTheEndOfTheProgram) {
+  World world = falling_swarm();
+  run(world, 10);
+  world.bodies.vx[3] = std::numeric_limits<double>::quiet_NaN();
+  world.lists_stale = true;
+  run(world, 10);
+  EXPECT_FALSE(dem::finite(world));
 }
 
 TEST(Determinism, ASavedWorldCutShortIsNoticed) {

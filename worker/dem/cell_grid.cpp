@@ -17,7 +17,8 @@ Range range_of(std::span<const double> values) {
 }
 int bins(const Range& range, double cell) {
   constexpr double kMostBins = 128;  // along an axis: bounds memory when a grain strays
-  return static_cast<int>(std::clamp(std::floor((range.high - range.low) / cell), 1.0, kMostBins));
+  const double n = std::floor((range.high - range.low) / cell);
+  return n > 1 ? static_cast<int>(std::min(n, kMostBins)) : 1;  // not a number, after a run blew up: one bin
 }
 int bin_of(double value, const Range& range, int n) {
   const double at = (value - range.low) / (range.high - range.low) * n;

@@ -38,6 +38,9 @@ void renew_margins(World& w) {
   w.wall_margin = std::clamp(2 * travel.time * fastest, travel.least, travel.most);
 }
 
+/// Clusters came or went, or the number of threads changed what the slots must hold.
+bool lists_unfit(const World& w) { return w.lists_stale || (w.threads > 1) != w.near_pairs.keep_loads; }
+
 /// Slots that did not touch in the last step, as a share of all work that grows with slots or clusters.
 double idle_slots(const World& w) {
   const double slots = static_cast<double>(w.near_pairs.count), touching = static_cast<double>(count_touching(w.near_pairs));
@@ -140,9 +143,9 @@ void step(World& w) {
   ++w.step;
   w.time += w.dt;
   w.wall_work += wall_power(w.walls) * w.dt;
-  if (w.lists_stale) renew_margins(w);
+  if (lists_unfit(w)) renew_margins(w);
   const bool strayed = kick_and_drift(w);
-  if (strayed || w.lists_stale) refresh_lists(w);
+  if (strayed || lists_unfit(w)) refresh_lists(w);
   place_balls(w);
   press_pairs(w);
   press_walls(w);
