@@ -19,9 +19,11 @@ void allow(const Bodies& b, const Travel& travel, std::vector<double>& distance)
   for (double& d : distance) d = std::clamp(travel.time * (d + mean), travel.least, travel.most);
 }
 
-void Lasting::renew(std::int64_t step, double burden, double low_burden, double high_burden) {
-  if (step - made_at < fewest || burden < low_burden) steps = std::min(high, 1.25 * steps);
-  else if (burden > high_burden) steps = std::max(low, 0.8 * steps);
+void Lasting::renew(std::int64_t step, double held, double search) {
+  const double cost = held + search / static_cast<double>(std::max<std::int64_t>(1, step - made_at));
+  if (cost > cost_before) factor = 1 / factor;
+  steps = std::clamp(factor * steps, low, high);
+  cost_before = cost;
   made_at = step;
 }
 

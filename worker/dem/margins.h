@@ -22,15 +22,16 @@ struct Travel {
 };
 void allow(const Bodies& bodies, const Travel& travel, std::vector<double>& distance);
 
-/// How many steps a list should last at the present speeds. Steered: a list that lasts is long, and holds much that is of no use; a
-/// short one costs searches. Does not show in the results.
+/// How many steps a list should last at the present speeds: long lists hold much that is of no use, short ones cost searches. Sought by
+/// going up or down as long as the work per step falls. Counts, not clocks; and no results depend on it.
 struct Lasting {
   double steps, low, high;   ///< asked for, and its bounds
-  int fewest;                ///< a list that lasted less is lengthened
+  double factor = 1.25;      ///< of the next change
+  double cost_before = 0;    ///< work per step of the list before
   std::int64_t made_at = 0;  ///< step
-  /// `burden` is the share of what the list held that was of no use; above `high_burden` the next list is shorter, below `low_burden`
-  /// longer.
-  void renew(std::int64_t step, double burden, double low_burden, double high_burden);
+
+  /// `held` is the work that the list made in each step, `search` that of making it, in the same unit.
+  void renew(std::int64_t step, double held, double search);
 };
 
 /// Bound on the speed of any sphere centre of a cluster, from the squares of its speeds [m/s]: (a + b)^2 <= 2 (a^2 + b^2).

@@ -148,12 +148,6 @@ REGOLAB_INLINE void place_balls_with(const Bodies& bodies, std::size_t begin, st
 
 REGOLAB_HOT(void, place_balls, (const Bodies& bodies, std::size_t begin, std::size_t end, Balls& balls), (bodies, begin, end, balls))
 
-std::size_t count_touching(const Slots& slots) {
-  std::size_t n = 0;
-  for (std::size_t k = 0; k < slots.count; ++k) n += slots.fx[k] != 0.0 || slots.fy[k] != 0.0 || slots.fz[k] != 0.0;
-  return n;
-}
-
 void take_springs(const Slots& slots, Springs& springs) {
   springs.clear();
   for (std::size_t k = 0; k < slots.count; ++k) {

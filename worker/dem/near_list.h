@@ -66,9 +66,6 @@ void collect_balls(const Spheres& spheres, Slots& pairs, Slots& walls, Balls& ba
 /// All balls to where their clusters are. REQUIRES: placing is published.
 void place_balls(const Bodies& bodies, std::size_t begin, std::size_t end, Balls& balls);
 
-/// Slots with a force in the last step.
-std::size_t count_touching(const Slots& slots);
-
 /// Springs of the slots that touch, in canonical order; and back. Both are sorted alike, so one merge does it.
 void take_springs(const Slots& slots, Springs& springs);
 void give_springs(const Springs& springs, Slots& slots);

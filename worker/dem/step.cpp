@@ -41,16 +41,17 @@ void renew_margins(World& w) {
 /// Clusters came or went, or the number of threads changed what the slots must hold.
 bool lists_unfit(const World& w) { return w.lists_stale || (w.threads > 1) != w.near_pairs.keep_loads; }
 
-/// Slots that did not touch in the last step, as a share of all work that grows with slots or clusters.
-double idle_slots(const World& w) {
-  const double slots = static_cast<double>(w.near_pairs.count), touching = static_cast<double>(count_touching(w.near_pairs));
-  return (slots - touching) / (slots + 0.5 * static_cast<double>(w.bodies.x.size()));
-}
+// Work, in units of pressing one slot (about 10 ns), measured on the beds of tests/bench.
+constexpr double kPerListedPair = 0.5, kPerSphere = 0.5, kPerCluster = 2;  // of a refresh
+constexpr double kSearchPerCluster = 60;                                   // of a new pair list
 
 /// Allowances of at least twice the margins: else the list would be stale when made.
 void list_pairs(World& w) {
-  const double pairs_per_cluster = static_cast<double>(w.pairs.a.size()) / static_cast<double>(w.bodies.x.size());
-  w.pair_lists.renew(w.step, pairs_per_cluster, 4, 10);
+  const auto refreshes = static_cast<double>(w.refreshes - w.refreshes_at_build);
+  const double life = static_cast<double>(std::max<std::int64_t>(1, w.step - w.pair_lists.made_at));
+  w.pair_lists.renew(w.step, kPerListedPair * static_cast<double>(w.pairs.a.size()) * refreshes / life,
+                     kSearchPerCluster * static_cast<double>(w.bodies.x.size()));
+  w.refreshes_at_build = w.refreshes;
   const double time = w.pair_lists.steps * w.dt;
   allow(w.bodies, {.time = time, .least = 0.1 * w.skin, .most = 4 * w.skin}, w.pairs.allowance);
   for (std::size_t i = 0; i < w.pairs.allowance.size(); ++i) {
@@ -87,7 +88,9 @@ bool kick_and_drift(World& w) {
 
 void refresh_lists(World& w) {
   w.hold_springs();
-  w.near_lists.renew(w.step, idle_slots(w), 0.22, 0.30);
+  w.near_lists.renew(w.step, static_cast<double>(w.near_pairs.count + w.near_walls.count),
+                     kPerListedPair * static_cast<double>(w.pairs.a.size()) + kPerSphere * static_cast<double>(w.spheres.count()) +
+                         kPerCluster * static_cast<double>(w.bodies.x.size()));
   renew_margins(w);
   w.centres.resize(static_cast<std::size_t>(w.spheres.count()));
   share_out(w, w.bodies.x.size(), [&](Stretch s, std::size_t) { sphere_centres(w.bodies, w.spheres, s.begin, s.end, w.centres); });

@@ -30,8 +30,8 @@ struct World {
   // Follows from the state; not saved, and not seen in the results.
   PairList pairs;            ///< within the skin
   Margins margins;
-  Lasting near_lists{.steps = 20, .low = 5, .high = 300, .fewest = 8};
-  Lasting pair_lists{.steps = 200, .low = 30, .high = 3000, .fewest = 100};
+  Lasting near_lists{.steps = 30, .low = 4, .high = 500};
+  Lasting pair_lists{.steps = 300, .low = 50, .high = 5000};
   double wall_margin = 0;    ///< [m]
   std::array<double, kWalls> walls_at_refresh{};  ///< [m]
   Slots near_pairs, near_walls;
@@ -39,7 +39,7 @@ struct World {
   Shares shares;             ///< for threads
   Centres centres;           ///< of the last refresh
   Springs pair_springs, wall_springs;  ///< between two sets of slots, and in checkpoints
-  std::int64_t list_builds = 0, refreshes = 0;
+  std::int64_t list_builds = 0, refreshes = 0, refreshes_at_build = 0;
 
   template <class A>
   void archive(A& ar) {
