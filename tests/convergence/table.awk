@@ -10,7 +10,7 @@ BEGIN {
 }
 FNR == 1 { ++file; split("", column); for (i = 1; i <= NF; i++) column[$i] = i; next }
 {
-  key = file == 1 ? "v" $1 : file == 4 ? "d" $1 : "s" (file == 2 ? int(($1 - 1) / 5) + 1 : $1) "-" $(column["particles"])
+  key = file == 1 ? "v" $1 : file == 4 ? "d" $1 : file == 3 ? "s" $1 "-8000" : "s" int(($1 - 1) / 5) + 1 "-" $(column["particles"])
   for (r = 1; r <= kinds; r++) {
     value = $(column[wanted[r]])
     if (value == "") continue
@@ -53,7 +53,9 @@ END {
       printf "| %s |", title[r]
       for (i = 1; i in size; i++) {
         key = "s" m "-" size[i]
-        if (n[key, r]) printf " %.4g ± %.2g |", mean(key, r), deviation(key, r) / sqrt(n[key, r]); else printf " not measured |"
+        if (n[key, r] > 1) printf " %.4g ± %.2g |", mean(key, r), deviation(key, r) / sqrt(n[key, r])
+        else if (n[key, r]) printf " %.4g (1 seed) |", mean(key, r)
+        else printf " not measured |"
         if (n[key, r]) printf "%s %s %.6g %.3g\n", m, size[i], mean(key, r), deviation(key, r) / sqrt(n[key, r]) > (plots "-" r ".dat")
       }
       print ""
