@@ -12,7 +12,7 @@ FNR == 1 { ++file; split("", column); for (i = 1; i <= NF; i++) column[$i] = i; 
 {
   key = file == 1 ? "v" $1 : file == 4 ? "d" $1 : file == 3 ? "s" $1 "-8000" : "s" int(($1 - 1) / 5) + 1 "-" $(column["particles"])
   for (r = 1; r <= kinds; r++) {
-    value = $(column[wanted[r]])
+    value = wanted[r] in column ? $(column[wanted[r]]) : ""
     if (value == "") continue
     n[key, r]++; sum[key, r] += value; squares[key, r] += value * value
   }
