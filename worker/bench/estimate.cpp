@@ -39,7 +39,7 @@ std::optional<ProfileSteps> steps_of_profile(std::string_view profile) {
   return std::nullopt;
 }
 
-double load_of(StageKind kind) { return kind == StageKind::kSettle ? 1.05 : kind == StageKind::kRepose ? 0.75 : 0.9; }
+double load_of(StageKind kind) { return kind == StageKind::kSettle ? 1.4 : kind == StageKind::kRepose ? 0.9 : 1.4; }
 
 Estimate estimate(const ProfileSteps& profile, int clusters, double us_per_cluster_step) {
   const double second_per_thousand = 1e3 * clusters * us_per_cluster_step * 1e-6;

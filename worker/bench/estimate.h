@@ -29,8 +29,8 @@ struct ProfileSteps {
 /// Empty for a name that is no profile.
 std::optional<ProfileSteps> steps_of_profile(std::string_view profile);
 
-/// What a cluster-step of a stage costs, over that of the timed bed near rest: measured on four materials of the article,
-/// with 2, 4, 6 and mixed spheres, under `quick`. Of the same stages by kind, materials differ by a third.
+/// What a cluster-step of a stage costs, over that of the timed bed near rest: mean over the article's 32 materials
+/// under `quick`. Of the same stages by kind, materials differ by a third.
 double load_of(StageKind kind);
 
 struct Estimate {

@@ -97,8 +97,8 @@ TEST(BenchReport, SaysTheFigureTheStudyAndWhatItAssumes) {
 }
 
 TEST(BenchReport, TakesTwiceAsLongOnAMachineHalfAsFast) {
-  EXPECT_THAT(report(figure_of(40), {.rows = 1}), HasSubstr("one core; about 12 s"));
-  EXPECT_THAT(report(figure_of(80), {.rows = 1}), HasSubstr("one core; about 24 s"));
+  EXPECT_THAT(report(figure_of(40), {.rows = 1}), HasSubstr("one core; about 18 s"));
+  EXPECT_THAT(report(figure_of(80), {.rows = 1}), HasSubstr("one core; about 35 s"));
 }
 
 }  // namespace
