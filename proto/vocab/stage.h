@@ -9,7 +9,7 @@
 namespace regolab {
 
 /// Bumped whenever the same StageSpec would give other bits: results of another version are never mixed.
-inline constexpr int kPhysicsVersion = 2;
+inline constexpr int kPhysicsVersion = 3;
 
 enum class StageKind {
   kSettle = 0,  ///< generation, replacement, sedimentation; leaves a bed

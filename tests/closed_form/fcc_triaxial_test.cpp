@@ -63,9 +63,9 @@ double peak_ratio(int spaces, double friction, Turning turning) {
     for (auto* inverse : {&b.inverse_ix, &b.inverse_iy, &b.inverse_iz}) std::fill(inverse->begin(), inverse->end(), 0.0);
   }
   const protocol::Servo servo{.wanted = kPressure, .most_speed = 0.1};
-  double drift[3] = {0, 0, 0};
+  protocol::ServoParts parts[3];
   const auto hold_and_step = [&](int axes) {
-    for (int axis = 0; axis < axes; ++axis) protocol::hold_stress(servo, axis, drift[axis], world);
+    for (int axis = 0; axis < axes; ++axis) protocol::hold_stress(servo, axis, parts[axis], world);
     dem::step(world);
   };
   for (int i = 0; i < 8000; ++i) hold_and_step(3);

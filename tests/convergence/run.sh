@@ -11,8 +11,8 @@ build_regolab -- regolab regolab-scheduler regolab-worker
 db=${REGOLAB_CONVERGENCE_DB:-$root/build/convergence.db} regolab=$root/build/bin/regolab
 for study in convergence:design:results size:size:size size-8000:size-8000:size-8000 damping:damping:damping; do
   IFS=: read -r name design table <<<"$study"
-  "$regolab" run "$here/$design.yaml" --db "$db" 2> >(tee "$root/build/convergence.log" >&2) >/dev/null
-  id=$(grep -o "$name-[0-9a-f]\{6\}" "$root/build/convergence.log" | tail -1)
+  "$regolab" run "$here/$design.yaml" --db "$db" >/dev/null
+  id=$("$regolab" status --db "$db" 2>/dev/null | awk -v name="$name" '$2 == name { id = $1 } END { print id }')
   "$regolab" results "$id" --csv --db "$db" >"$here/$table.csv" 2>/dev/null
 done
 plots=$(mktemp -d)

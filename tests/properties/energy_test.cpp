@@ -70,5 +70,22 @@ TEST(Energy, GainedByAnElasticSwarmIsTheWorkOfTheClosingWalls) {
   EXPECT_LT(budget.largest_change, 0.02 * (budget.start + world.wall_work));
 }
 
+/// A linear spring gives back all it took: the account of the walls' work must close to round-off, however they shake.
+TEST(Energy, OfASpherePressedByShakingWallsIsTheirWork) {
+  constexpr double kRadius = 0.005, kOverlap = 1e-5;
+  World world = empty_world(elastic_law(1e5));
+  add_sphere(world, {0, 0, kRadius}, kRadius);
+  add_wall(world, dem::kFloor, kOverlap);
+  add_wall(world, dem::kTop, 2 * kRadius - kOverlap);
+  dem::compute_forces(world);
+  const double start = dem::energies(world).total();
+  for (int i = 0; i < 1000; ++i) {
+    const double inward = (i % 3 == 0 ? 2 : -1) * 0.2 * kOverlap / world.dt;
+    for (const int id : {dem::kFloor, dem::kTop}) world.walls[id].velocity = dem::inward(id) * inward;
+    dem::step(world);
+    ASSERT_NEAR(dem::energies(world).total() - world.wall_work, start, 1e-9 * start) << "step " << i;
+  }
+}
+
 }  // namespace
 }  // namespace regolab::test

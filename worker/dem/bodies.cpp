@@ -104,8 +104,8 @@ std::array<double, 9> rotation_of(const Bodies& bodies, int body) {
           2 * (x * z - w * y),     2 * (y * z + w * x),     1 - 2 * (x * x + y * y)};
 }
 
-void sphere_centres(const Bodies& bodies, const Spheres& spheres, std::size_t begin, std::size_t end_of_bodies, Centres& out) {
-  for (std::size_t i = begin; i < end_of_bodies; ++i) {
+void sphere_centres(const Bodies& bodies, const Spheres& spheres, Stretch clusters, Centres& out) {
+  for (std::size_t i = clusters.begin; i < clusters.end; ++i) {
     const auto r = rotation_of(bodies, static_cast<int>(i));
     const double bx = bodies.x[i], by = bodies.y[i], bz = bodies.z[i];
     const auto end = static_cast<std::size_t>(bodies.first_sphere[i + 1]);
@@ -121,7 +121,7 @@ void sphere_centres(const Bodies& bodies, const Spheres& spheres, std::size_t be
 Centres sphere_centres(const Bodies& bodies, const Spheres& spheres) {
   Centres out;
   out.resize(static_cast<std::size_t>(spheres.count()));
-  sphere_centres(bodies, spheres, 0, bodies.x.size(), out);
+  sphere_centres(bodies, spheres, {0, bodies.x.size()}, out);
   return out;
 }
 

@@ -22,6 +22,11 @@ struct ClusterSpec {
   double parent_diameter = 0;  ///< of the sphere it replaces [m]
 };
 
+/// A stretch [begin, end) of clusters, pairs, slots or balls: the share of a thread. Two meet at a multiple of kMostLanes.
+struct Stretch {
+  std::size_t begin, end;
+};
+
 /// Contact force [N] on a cluster and torque about the origin [N m]: what one contact gives to its two sides is equal and opposite.
 struct alignas(64) Load {
   double fx = 0, fy = 0, fz = 0, unused_f = 0, tx = 0, ty = 0, tz = 0, unused_t = 0;
@@ -112,9 +117,9 @@ inline void push_centre(Bodies& b, int body, const Vec3& force) {
   on.tz += b.x[i] * force[1] - b.y[i] * force[0];
 }
 
-/// Where the spheres are now; the second form does those of clusters [begin, end) alone. REQUIRES: `out` is sized.
+/// Where the spheres are now; the second form does those of a stretch of clusters alone. REQUIRES: `out` is sized.
 Centres sphere_centres(const Bodies& bodies, const Spheres& spheres);
-void sphere_centres(const Bodies& bodies, const Spheres& spheres, std::size_t begin, std::size_t end, Centres& out);
+void sphere_centres(const Bodies& bodies, const Spheres& spheres, Stretch clusters, Centres& out);
 
 /// Motion and placing of every cluster from its state, where no step has just left them.
 void publish_motion(Bodies& bodies);

@@ -20,18 +20,6 @@ Contact from_slot(const Slots& s, std::size_t k) {
   return c;
 }
 
-/// Distance and outward unit normal of a floor that ends; see forces.cpp.
-double from_block(const Walls& walls, const Vec3& p, Vec3& n) {
-  const double dx = p[0] - walls.floor_end, dz = p[2] - walls[kFloor].position;
-  if (dx > 0 && dz > 0) {
-    const double distance = std::sqrt(dx * dx + dz * dz);
-    n = {dx / distance, 0, dz / distance};
-    return distance;
-  }
-  n = dx > dz ? Vec3{1, 0, 0} : Vec3{0, 0, 1};
-  return std::max(dx, dz);
-}
-
 }  // namespace
 
 std::vector<Contact> contacts(const World& w) {
@@ -68,9 +56,8 @@ std::vector<Contact> wall_contacts(const World& w) {
     Contact c = from_slot(slots, k);
     c.sphere_a = slots.second[k], c.sphere_b = -1;
     c.body_b = id;
-    c.normal = normal_of(id);
-    const bool ends = id == kFloor && std::isfinite(w.walls.floor_end);
-    const double distance = ends ? from_block(w.walls, p, c.normal) : gap_to_wall(w.walls, id, p[0], p[1], p[2], 0.0);
+    const auto [distance, normal] = wall_distance(w.walls, id, p);
+    c.normal = normal;
     c.overlap = w.spheres.radius[s] - distance;
     if (!(c.overlap > 0.0)) continue;
     c.arm_a = arm_to(p, centre_of_mass(w.bodies, static_cast<std::size_t>(c.body_a)), -distance, c.normal);

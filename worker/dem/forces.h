@@ -1,5 +1,6 @@
 /// Contact forces of the near slots: measure, apply the law, add. Masks, no branches on what touches.
 #pragma once
+#include "worker/dem/laws/linear.h"
 #include "worker/dem/near_list.h"
 
 namespace regolab::dem {

@@ -161,24 +161,24 @@ REGOLAB_INLINE auto advance(const Kick& kick, std::size_t i, int lanes, const Ar
 }
 
 template <class P, bool kTurns>
-REGOLAB_INLINE bool advance_all(const Kick& kick, std::size_t begin, std::size_t end, const Arrays& arrays) {
+REGOLAB_INLINE bool advance_all(const Kick& kick, Stretch stretch, const Arrays& arrays) {
   auto left = P{} > P{};
-  std::size_t i = begin;
-  for (; i + kLanes<P> <= end; i += kLanes<P>) left |= advance<P, kTurns>(kick, i, kLanes<P>, arrays);
-  if (i < end) left |= advance<P, kTurns>(kick, i, static_cast<int>(end - i), arrays);
+  std::size_t i = stretch.begin;
+  for (; i + kLanes<P> <= stretch.end; i += kLanes<P>) left |= advance<P, kTurns>(kick, i, kLanes<P>, arrays);
+  if (i < stretch.end) left |= advance<P, kTurns>(kick, i, static_cast<int>(stretch.end - i), arrays);
   return any(left);
 }
 
 template <class P>
-REGOLAB_INLINE bool kick_and_drift_with(const Kick& shared_kick, std::size_t begin, std::size_t end, Bodies& bodies, Margins& margins) {
+REGOLAB_INLINE bool kick_and_drift_with(const Kick& shared_kick, Stretch stretch, Bodies& bodies, Margins& margins) {
   const Kick kick = shared_kick;  // a copy: stores below cannot alias it
   const Arrays arrays(bodies, margins);
-  return margins.anything_swings ? advance_all<P, true>(kick, begin, end, arrays) : advance_all<P, false>(kick, begin, end, arrays);
+  return margins.anything_swings ? advance_all<P, true>(kick, stretch, arrays) : advance_all<P, false>(kick, stretch, arrays);
 }
 
 }  // namespace
 
-REGOLAB_HOT(bool, kick_and_drift, (const Kick& kick, std::size_t begin, std::size_t end, Bodies& bodies, Margins& margins),
-            (kick, begin, end, bodies, margins))
+REGOLAB_HOT(bool, kick_and_drift, (const Kick& kick, Stretch stretch, Bodies& bodies, Margins& margins),
+            (kick, stretch, bodies, margins))
 
 }  // namespace regolab::dem

@@ -11,8 +11,8 @@ struct Kick {
   double dt = 0;       ///< [s]
 };
 
-/// Clusters [begin, end): velocities by the loads of the last step, then positions and turns; publishes motion and placing, takes
-/// the loads back to zero. True when one of them left its margin. REQUIRES: begin a multiple of kMostLanes.
-bool kick_and_drift(const Kick& kick, std::size_t begin, std::size_t end, Bodies& bodies, Margins& margins);
+/// A stretch of clusters: velocities by the loads of the last step, then positions and turns; publishes motion and placing, takes
+/// the loads back to zero. True when one of them left its margin.
+bool kick_and_drift(const Kick& kick, Stretch stretch, Bodies& bodies, Margins& margins);
 
 }  // namespace regolab::dem

@@ -67,11 +67,11 @@ void list_near_walls(const Bodies& bodies, const Spheres& spheres, const Centres
     if (!walls[id].present) continue;
     for (std::size_t i = 0; i < bodies.x.size(); ++i) {
       const double margin = margins.margin[i] + wall_margin;
-      if (gap_to_wall(walls, id, bodies.x[i], bodies.y[i], bodies.z[i], bodies.reach[i]) > margin) continue;
+      if (wall_distance(walls, id, {bodies.x[i], bodies.y[i], bodies.z[i]}).distance - bodies.reach[i] > margin) continue;
       if (bodies.gone[i] || bodies.inverse_mass[i] == 0.0) continue;
       for (auto s = bodies.first_sphere[i]; s < bodies.first_sphere[i + 1]; ++s) {
         const auto k = static_cast<std::size_t>(s);
-        if (gap_to_wall(walls, id, at.x[k], at.y[k], at.z[k], spheres.radius[k]) > margin) continue;
+        if (wall_distance(walls, id, {at.x[k], at.y[k], at.z[k]}).distance - spheres.radius[k] > margin) continue;
         make_room(slots.count + 1, slots.first, slots.second, slots.body_a);
         slots.first[slots.count] = id;
         slots.second[slots.count] = s;
@@ -109,15 +109,14 @@ void collect_balls(const Spheres& spheres, Slots& pairs, Slots& walls, Balls& ba
     of[static_cast<std::size_t>(pairs.second[k])] = kNamed;
   }
   for (std::size_t k = 0; k < walls.count; ++k) of[static_cast<std::size_t>(walls.second[k])] = kNamed;
-  balls.sphere.clear(), balls.body.clear(), balls.offset.clear();
+  balls.body.clear(), balls.offset.clear();
   for (std::size_t s = 0; s < n; ++s) {
     if (of[s] != kNamed) continue;
-    of[s] = static_cast<std::int32_t>(balls.sphere.size());
-    balls.sphere.push_back(static_cast<std::int32_t>(s));
+    of[s] = static_cast<std::int32_t>(balls.body.size());
     balls.body.push_back(spheres.body[s]);
     balls.offset.push_back({spheres.ox[s], spheres.oy[s], spheres.oz[s], spheres.radius[s]});
   }
-  make_room(balls.sphere.size(), balls.at);
+  make_room(balls.body.size(), balls.at);
   for (std::size_t k = 0; k < pairs.count; ++k) {
     pairs.ball_a[k] = of[static_cast<std::size_t>(pairs.first[k])];
     pairs.ball_b[k] = of[static_cast<std::size_t>(pairs.second[k])];
@@ -130,12 +129,12 @@ void collect_balls(const Spheres& spheres, Slots& pairs, Slots& walls, Balls& ba
 namespace {
 
 template <class>
-REGOLAB_INLINE void place_balls_with(const Bodies& bodies, std::size_t begin, std::size_t end, Balls& balls) {
+REGOLAB_INLINE void place_balls_with(const Bodies& bodies, Stretch stretch, Balls& balls) {
   const std::int32_t* body = balls.body.data();
   const Quad* offset = balls.offset.data();
   Quad* at = balls.at.data();
   const Placing* placing = bodies.placing.data();
-  for (std::size_t k = begin; k < end; ++k) {
+  for (std::size_t k = stretch.begin; k < stretch.end; ++k) {
     const auto& [centre, column] = placing[body[k]];
     const Four o = load<Four>(offset[k].v);
     const Four arm = load<Four>(column[0].v) * o[0] + load<Four>(column[1].v) * o[1] + load<Four>(column[2].v) * o[2];
@@ -146,7 +145,7 @@ REGOLAB_INLINE void place_balls_with(const Bodies& bodies, std::size_t begin, st
 
 }  // namespace
 
-REGOLAB_HOT(void, place_balls, (const Bodies& bodies, std::size_t begin, std::size_t end, Balls& balls), (bodies, begin, end, balls))
+REGOLAB_HOT(void, place_balls, (const Bodies& bodies, Stretch stretch, Balls& balls), (bodies, stretch, balls))
 
 void take_springs(const Slots& slots, Springs& springs) {
   springs.clear();

@@ -5,7 +5,6 @@
 #include <cstdint>
 #include <vector>
 
-#include "worker/dem/laws/linear.h"
 #include "worker/dem/margins.h"
 #include "worker/dem/pair_list.h"
 #include "worker/dem/springs.h"
@@ -13,14 +12,9 @@
 
 namespace regolab::dem {
 
-/// A stretch [begin, end) of slots, pairs or clusters: the share of a thread. Two meet at a multiple of kMostLanes.
-struct Stretch {
-  std::size_t begin, end;
-};
-
 /// The spheres of the near slots alone, side by side: only they are placed each step.
 struct Balls {
-  std::vector<std::int32_t> sphere, body;  // [n_balls] in the order of the spheres
+  std::vector<std::int32_t> body;          // [n_balls] in the order of the spheres
   std::vector<Quad> offset;                // [n_balls] from the centre of mass in the principal frame, and radius [m]
   std::vector<Quad> at;                    // [n_balls] in space, and radius [m]
   std::vector<std::int32_t> of_sphere;     // [n_spheres] ball of a sphere; only those listed are meant
@@ -63,8 +57,8 @@ void fill_wall_slots(const Bodies& bodies, Slots& slots);
 /// The spheres that the slots name, and where each slot finds its own.
 void collect_balls(const Spheres& spheres, Slots& pairs, Slots& walls, Balls& balls);
 
-/// All balls to where their clusters are. REQUIRES: placing is published.
-void place_balls(const Bodies& bodies, std::size_t begin, std::size_t end, Balls& balls);
+/// A stretch of balls to where their clusters are. REQUIRES: placing is published.
+void place_balls(const Bodies& bodies, Stretch stretch, Balls& balls);
 
 /// Springs of the slots that touch, in canonical order; and back. Both are sorted alike, so one merge does it.
 void take_springs(const Slots& slots, Springs& springs);

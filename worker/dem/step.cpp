@@ -81,7 +81,7 @@ bool kick_and_drift(World& w) {
   const Kick kick{w.gravity, w.drag > 0.0 ? std::max(0.0, 1.0 - w.drag * w.dt) : 1.0, w.dt};
   std::atomic<bool> left = false;
   share_out(w, w.bodies.x.size(), [&](Stretch s, std::size_t) {
-    if (kick_and_drift(kick, s.begin, s.end, w.bodies, w.margins)) left.store(true, std::memory_order_relaxed);
+    if (kick_and_drift(kick, s, w.bodies, w.margins)) left.store(true, std::memory_order_relaxed);
   });
   return move_walls(w.dt, w.wall_margin, w.walls_at_refresh, w.walls) || left;
 }
@@ -93,7 +93,7 @@ void refresh_lists(World& w) {
                          kPerCluster * static_cast<double>(w.bodies.x.size()));
   renew_margins(w);
   w.centres.resize(static_cast<std::size_t>(w.spheres.count()));
-  share_out(w, w.bodies.x.size(), [&](Stretch s, std::size_t) { sphere_centres(w.bodies, w.spheres, s.begin, s.end, w.centres); });
+  share_out(w, w.bodies.x.size(), [&](Stretch s, std::size_t) { sphere_centres(w.bodies, w.spheres, s, w.centres); });
   if (w.lists_stale || moved_beyond(w.pairs, w.bodies, w.margins)) list_pairs(w);
   w.near_pairs.keep_loads = w.near_walls.keep_loads = w.threads > 1;
   list_near_pairs(w);
@@ -108,7 +108,7 @@ void refresh_lists(World& w) {
 }
 
 void place_balls(World& w) {
-  share_out(w, w.balls.sphere.size(), [&](Stretch s, std::size_t) { place_balls(w.bodies, s.begin, s.end, w.balls); });
+  share_out(w, w.balls.body.size(), [&](Stretch s, std::size_t) { place_balls(w.bodies, s, w.balls); });
 }
 
 void press_pairs(World& w) {
@@ -145,7 +145,7 @@ void compute_forces(World& w) {
 void step(World& w) {
   ++w.step;
   w.time += w.dt;
-  w.wall_work += wall_power(w.walls) * w.dt;
+  const double power_before = wall_power(w.walls);
   if (lists_unfit(w)) renew_margins(w);
   const bool strayed = kick_and_drift(w);
   if (strayed || lists_unfit(w)) refresh_lists(w);
@@ -153,6 +153,7 @@ void step(World& w) {
   press_pairs(w);
   press_walls(w);
   sum_loads(w);
+  w.wall_work += 0.5 * (power_before + wall_power(w.walls)) * w.dt;
 }
 
 }  // namespace regolab::dem

@@ -1,18 +1,20 @@
 #include "worker/dem/walls.h"
 
-#include <algorithm>
 #include <cmath>
 
 namespace regolab::dem {
 
-double gap_to_wall(const Walls& walls, int id, double x, double y, double z, double radius) {
-  const double at[3] = {x, y, z};
-  const double from_plane = inward(id) * (at[axis_of(id)] - walls[id].position);
-  if (id != kFloor || !std::isfinite(walls.floor_end)) return from_plane - radius;
+WallDistance wall_distance(const Walls& walls, int id, const Vec3& place) {
+  const double from_plane = inward(id) * (place[static_cast<std::size_t>(axis_of(id))] - walls[id].position);
+  if (id != kFloor || !std::isfinite(walls.floor_end)) return {from_plane, normal_of(id)};
   // A floor that ends is a solid block: its top, its edge, and the face below the edge.
-  const double from_face = x - walls.floor_end;
-  if (from_face > 0 && from_plane > 0) return std::hypot(from_face, from_plane) - radius;
-  return std::max(from_face, from_plane) - radius;
+  const double from_face = place[0] - walls.floor_end;
+  if (from_face > 0 && from_plane > 0) {
+    const double from_edge = std::sqrt(from_face * from_face + from_plane * from_plane);
+    return {from_edge, {from_face / from_edge, 0, from_plane / from_edge}};
+  }
+  if (from_face > from_plane) return {from_face, {1, 0, 0}};
+  return {from_plane, {0, 0, 1}};
 }
 
 double wall_power(const Walls& walls) {

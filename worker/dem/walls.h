@@ -45,8 +45,12 @@ inline Vec3 normal_of(int wall) {
   return n;
 }
 
-/// Gap between a wall and a sphere [m]; overlapping when negative.
-double gap_to_wall(const Walls& walls, int id, double x, double y, double z, double radius);
+/// Distance of a place from a wall's surface, negative behind it [m], and the unit normal there, pointing away from the wall.
+struct WallDistance {
+  double distance;
+  Vec3 normal;
+};
+WallDistance wall_distance(const Walls& walls, int id, const Vec3& place);
 
 /// Work done by the walls on the grains per time, by the forces of the last step [W].
 double wall_power(const Walls& walls);

@@ -28,7 +28,7 @@ struct World {
   bool lists_stale = true;   ///< set it after adding clusters, or taking them away
 
   // Follows from the state; not saved, and not seen in the results.
-  PairList pairs;            ///< within the skin
+  PairList pairs;            ///< within the clusters' allowances
   Margins margins;
   Lasting near_lists{.steps = 30, .low = 4, .high = 500};
   Lasting pair_lists{.steps = 300, .low = 50, .high = 5000};

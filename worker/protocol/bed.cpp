@@ -47,6 +47,11 @@ dem::LinearLaw softened_law(const Bed& bed, double most) {
   return law;
 }
 
+double Bed::wall_dashpot() const {
+  const double mean_mass = micro.grain_density * solid_volume / world.bodies.count();
+  return dem::Dashpot(world.law, world.law.normal_stiffness, world.law.normal_damping).eta(std::sqrt(mean_mass));
+}
+
 void renew_step(Bed& bed) { bed.world.dt = dem::stable_step(bed.world, bed.step_fraction); }
 
 std::string generate_bed(const StageSpec& spec, Bed& bed) {

@@ -20,6 +20,9 @@ struct Bed {
   /// Half the bed's weight per area, solid: the pressure that sets the softened stiffness of settling and repose [Pa].
   double pressure() const { return 0.5 * micro.grain_density * micro.gravity * solid_volume / (0.52 * length * width); }
 
+  /// eta of a contact between a cluster of mean mass and a wall [N s/m].
+  double wall_dashpot() const;
+
   template <class A>
   void archive(A& ar) {
     ar(world, micro.friction_angle, micro.normal_stiffness, micro.normal_damping, micro.tangential_stiffness,

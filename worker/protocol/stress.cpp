@@ -18,7 +18,7 @@ constexpr double kRampTime = 8;               // in inertial times d sqrt(rho/p)
 constexpr double kRampStrain = 0.02;          // of axial strain over which the plate gains its speed
 constexpr double kLateralSpeed = 5;           // cap of the side walls, in axial strain rates
 constexpr double kInterval = 0.0025;          // of axial strain between samples
-constexpr std::int64_t kLongestPhase = 400000;  // steps of an isotropic phase
+constexpr double kLongestPhase = 100;         // of an isotropic phase, in the times that grains and dashpots take to come to rest
 constexpr double kSteadyBalance = 0.05;       // unbalanced force ratio of a steady isotropic state
 
 double geometric(double a, double b, double s) { return a * std::pow(b / a, s); }
@@ -40,7 +40,7 @@ double Stress::inertial_time() const { return bed_.mean_diameter() * std::sqrt(b
 
 void Stress::set_phase(Phase phase) {
   phase_ = phase;
-  phase_step_ = bed_.world.step;
+  phase_start_ = bed_.world.time;
   looks_in_band_ = 0;
 }
 
@@ -93,7 +93,7 @@ std::optional<Ending> Stress::isotropic_look() {
     if (phase_ == Phase::kRamp && i % kStepsPerRampTick == 0) advance_ramp();
     for (int axis = 0; axis < 3; ++axis) {
       const double cap = kApproachRate / inertial_time() * 0.5 * opening(w.walls, axis);
-      hold_stress({.wanted = pressure_, .most_speed = cap}, axis, drift_[static_cast<std::size_t>(axis)], w);
+      hold_stress({.wanted = pressure_, .most_speed = cap, .dashpot = bed_.wall_dashpot()}, axis, servo_[static_cast<std::size_t>(axis)], w);
     }
     dem::step(w);
     for (int axis = 0; axis < 3; ++axis) window_.stress[axis] += mean_stress(w.walls, axis);
@@ -106,7 +106,7 @@ std::optional<Ending> Stress::isotropic_look() {
   if (phase_ == Phase::kApproach && looks_in_band_ >= 3) set_phase(Phase::kRamp);
   else if (phase_ == Phase::kRamp && ramp_ >= 1) set_phase(Phase::kHold);
   else if (phase_ == Phase::kHold && looks_in_band_ >= 3) start_shear();
-  else if (w.step - phase_step_ > kLongestPhase) {
+  else if (w.time - phase_start_ > kLongestPhase * (inertial_time() + bed_.wall_dashpot() / w.law.normal_stiffness)) {
     return Ending{StageEnd::kNotSettled, "the three wall stresses did not come within 3 % of " + std::to_string(sigma3_) +
                                              " Pa (the specimen keeps yielding) raise the friction or the damping"};
   }
@@ -139,8 +139,8 @@ void Stress::shear_step() {
   const double gained = (w.time - shear_start_time_ + w.dt) * rate / (2 * kRampStrain);  // 2 % strain at the end of the ramp
   w.walls[dem::kTop].velocity = -rate * height0_ * std::min(1.0, gained);
   for (int axis = 0; axis < 2; ++axis) {
-    const Servo servo{.wanted = sigma3_, .most_speed = kLateralSpeed * rate * opening(w.walls, axis)};
-    hold_stress(servo, axis, drift_[static_cast<std::size_t>(axis)], w);
+    const Servo servo{.wanted = sigma3_, .most_speed = kLateralSpeed * rate * opening(w.walls, axis), .dashpot = bed_.wall_dashpot()};
+    hold_stress(servo, axis, servo_[static_cast<std::size_t>(axis)], w);
   }
   dem::step(w);
   const double area = area_across(w.walls, 2);

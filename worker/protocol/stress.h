@@ -48,8 +48,8 @@ class Stress final : public Test {
   template <class A>
   void archive(A& ar) {
     ar(bed_, guard_, sigma3_, inertial_number_, end_strain_, start_pressure_, start_law_, end_law_, phase_, started_, ramp_,
-       pressure_, start_step_, phase_step_, looks_in_band_, window_, shear_start_time_, height0_, volume0_, void_ratio0_,
-       interval_, interval_steps_, samples_, drift_);
+       pressure_, start_step_, phase_start_, looks_in_band_, window_, shear_start_time_, height0_, volume0_, void_ratio0_,
+       interval_, interval_steps_, samples_, servo_[0], servo_[1], servo_[2]);
   }
   void enclose();
   void set_phase(Phase phase);
@@ -70,10 +70,11 @@ class Stress final : public Test {
   dem::LinearLaw start_law_, end_law_; // stiffness and stress rise together between them
   Phase phase_ = Phase::kApproach;
   bool started_ = false;
-  std::array<double, 3> drift_{};      // integral part of each servo [m/s]
+  std::array<ServoParts, 3> servo_{};
   double ramp_ = 0;                    // 0 to 1
   double pressure_ = 0;                // wanted now [Pa]
-  std::int64_t start_step_ = 0, phase_step_ = 0;
+  std::int64_t start_step_ = 0;
+  double phase_start_ = 0;             // time [s]
   int looks_in_band_ = 0;
   Window window_;
   double shear_start_time_ = 0, height0_ = 0, volume0_ = 0, void_ratio0_ = 0;
