@@ -34,7 +34,7 @@ const std::vector<Phase>& phases() {
       {"place_balls", [](dem::World& w) { dem::place_balls(w); }},
       {"press_pairs", [](dem::World& w) { dem::press_pairs(w); }},
       {"press_walls", [](dem::World& w) { dem::press_walls(w); }},
-      {"sum_loads", [](dem::World& w) { dem::sum_loads(w); }},
+      {"add_crossings", [](dem::World& w) { dem::add_crossings(w); }},
   };
   return list;
 }

@@ -52,7 +52,7 @@ TEST_P(ServoOnDashpots, HoldsTheStressAndComesToRest) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Ratios, ServoOnDashpots, testing::Values(0.1, 1.0, 10.0, 100.0));
+INSTANTIATE_TEST_SUITE_P(Ratios, ServoOnDashpots, testing::Values(0.1, 1.0, 10.0));
 
 }  // namespace
 }  // namespace regolab::test

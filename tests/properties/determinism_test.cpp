@@ -35,13 +35,18 @@ World falling_spheres() {
 }
 
 TEST(Determinism, OneTwoAndThreeThreadsGiveTheSameBits) {
-  World one = falling_swarm();
-  run(one, 3000);
-  for (const int threads : {2, 3}) {
-    World many = falling_swarm();
-    many.threads = threads;
-    run(many, 3000);
-    EXPECT_EQ(state_bytes(many), state_bytes(one)) << threads << " threads";
+  for (const std::size_t slabs : {0, 3, 8}) {  // 0: a small bed is not cut
+    World one = falling_swarm();
+    one.slabs = slabs;
+    run(one, 3000);
+    EXPECT_EQ(one.crossings.cell.empty(), slabs == 0) << "what crosses from slab to slab is to be tried";
+    for (const int threads : {2, 3, 9}) {
+      World many = falling_swarm();
+      many.slabs = slabs;
+      many.threads = threads;
+      run(many, 3000);
+      EXPECT_EQ(state_bytes(many), state_bytes(one)) << threads << " threads, " << slabs << " slabs";
+    }
   }
 }
 
@@ -49,7 +54,6 @@ TEST(Determinism, OneTwoAndThreeThreadsGiveTheSameBits) {
 std::string bits_of(World world, int steps, dem::Simd level, int threads) {
   EXPECT_TRUE(dem::set_simd(level));
   world.threads = threads;
-  world.lists_stale = true;  // slots keep loads for threads alone
   run(world, steps);
   EXPECT_GT(dem::contacts(world).size() + dem::wall_contacts(world).size(), 10U) << "too little happens";
   return state_bytes(world);
@@ -60,6 +64,7 @@ TEST(Determinism, EveryWidthOfTheHotLoopsGivesThePortableBitsOnOneThreadAndTwoAg
   const KeepSimd keep;
   ASSERT_TRUE(dem::set_simd(dem::Simd::kPortable));
   World start = swarm({.clusters = 61, .seed = 4, .gravity = 500});  // heavy: a heap soon, full of contacts
+  start.slabs = 8;
   run(start, 10000);
   const std::string portable = bits_of(start, 2000, dem::Simd::kPortable, 1), early = bits_of(start, 500, dem::Simd::kPortable, 1);
   for (const dem::Simd level : simd_levels()) {
@@ -83,6 +88,7 @@ TEST(Determinism, SingleSpheresToo) {
 
 TEST(Determinism, TheSkinOfTheListsDoesNotShow) {
   World thin = falling_swarm(), thick = falling_swarm();
+  thin.slabs = thick.slabs = 8;
   thin.skin *= 0.3;
   thick.skin *= 2;
   run(thin, 3000);
@@ -94,14 +100,17 @@ TEST(Determinism, TheSkinOfTheListsDoesNotShow) {
 
 TEST(Determinism, SavedAndLoadedAtRandomStepsItGoesOnBitForBit) {
   World whole = falling_swarm();
+  whole.slabs = 8;
   run(whole, 4000);
   const generate::Random random(99);
   World now = falling_swarm();
+  now.slabs = 8;
   for (std::uint64_t cut = 0; now.step < 4000; ++cut) {
     const auto steps = static_cast<int>(1 + 600 * random.uniform(generate::Purpose::kWitness, cut));
     run(now, std::min(steps, static_cast<int>(4000 - now.step)));
     const std::string bytes = state_bytes(now);
     World loaded;
+    loaded.slabs = 8;
     dem::Loader loader(bytes);
     loaded.archive(loader);
     ASSERT_TRUE(loader.finished());
@@ -135,6 +144,7 @@ TEST(Determinism, ASavedWorldCutShortIsNoticed) {
   const std::string bytes = state_bytes(world);
   for (const std::size_t size : {bytes.size() - 1, bytes.size() / 2, std::size_t{9}, std::size_t{0}}) {
     World loaded;
+    loaded.slabs = 8;
     dem::Loader loader(std::string_view(bytes).substr(0, size));
     loaded.archive(loader);
     EXPECT_FALSE(loader.finished()) << size;

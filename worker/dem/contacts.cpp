@@ -50,11 +50,11 @@ std::vector<Contact> wall_contacts(const World& w) {
   const Slots& slots = w.near_walls;
   const Centres centres = sphere_centres(w.bodies, w.spheres);
   for (std::size_t k = 0; k < slots.count; ++k) {
-    const auto s = static_cast<std::size_t>(slots.second[k]);
-    const int id = slots.first[k];
+    const auto s = static_cast<std::size_t>(slots.first[k]);
+    const int id = slots.second[k];
     const Vec3 p = at(centres, s);
     Contact c = from_slot(slots, k);
-    c.sphere_a = slots.second[k], c.sphere_b = -1;
+    c.sphere_a = slots.first[k], c.sphere_b = -1;
     c.body_b = id;
     const auto [distance, normal] = wall_distance(w.walls, id, p);
     c.normal = normal;

@@ -37,6 +37,11 @@ REGOLAB_INLINE void each_pack(const Block& block, Visit visit) {
   for (std::size_t k = 0; k < block.count; k += static_cast<std::size_t>(kLanes<P>)) visit(k);
 }
 
+template <class P>
+REGOLAB_INLINE int lanes_left(const Block& block, std::size_t k) {
+  return static_cast<int>(std::min<std::size_t>(block.count - k, static_cast<std::size_t>(kLanes<P>)));
+}
+
 /// Velocity of the points p of clusters [m/s].
 template <class P>
 REGOLAB_INLINE Triple<P> velocity_at(const Triple<P>& p, const Triple<P>& origin_velocity, const Triple<P>& spin) {
@@ -119,7 +124,7 @@ template <class P>
 REGOLAB_INLINE void measure_walls(const ForceInput& in, const WallRecords& walls, const Slots& s, Block& block) {
   const Quad* at = in.balls.at.data();
   const Motion* motion = in.bodies.motion.data();
-  const std::int32_t *ball = s.ball_a.data() + block.first, *body = s.body_a.data() + block.first, *id = s.first.data() + block.first;
+  const std::int32_t *ball = s.ball_a.data() + block.first, *body = s.body_a.data() + block.first, *id = s.second.data() + block.first;
   each_pack<P>(block, [&](std::size_t k) REGOLAB_INLINE_LAMBDA {
     const auto a = gathered<P>([=](int l) REGOLAB_INLINE_LAMBDA { return at[lane(ball, k, l)].v; });
     const auto wall = gathered<P>([&](int l) REGOLAB_INLINE_LAMBDA { return walls.motion[lane(id, k, l)].v; });
@@ -146,57 +151,49 @@ REGOLAB_INLINE void apply_law(const LinearLaw& shared_law, double dt, Slots& s, 
     const Triple<P> n = load3<P>(block.normal, k), v = load3<P>(block.velocity, k);
     const P overlap = load<P>(block.overlap + k), zero{};
     const auto touches = overlap > zero;
-    ContactPoint<P> c{n.x, n.y, n.z, overlap, v.x, v.y, v.z, load<P>(sx + k), load<P>(sy + k), load<P>(sz + k)};
+    const int lanes = lanes_left<P>(block, k);  // what follows may be another thread's
+    ContactPoint<P> c{n.x, n.y, n.z, overlap, v.x, v.y, v.z, load_lanes<P>(sx + k, lanes), load_lanes<P>(sy + k, lanes),
+                      load_lanes<P>(sz + k, lanes)};
     linear_contact(law, load<P>(block.friction + k), load<P>(root_mass + k), dt, c);
-    store(select(touches, c.sx, zero), sx + k), store(select(touches, c.sy, zero), sy + k), store(select(touches, c.sz, zero), sz + k);
-    const Triple<P> f{select(touches, c.fx, zero), select(touches, c.fy, zero), select(touches, c.fz, zero)};
-    store(f.x, fx + k), store(f.y, fy + k), store(f.z, fz + k);
+    const Triple<P> spring{select(touches, c.sx, zero), select(touches, c.sy, zero), select(touches, c.sz, zero)},
+        f{select(touches, c.fx, zero), select(touches, c.fy, zero), select(touches, c.fz, zero)};
+    store_lanes(spring.x, sx + k, lanes), store_lanes(spring.y, sy + k, lanes), store_lanes(spring.z, sz + k, lanes);
+    store_lanes(f.x, fx + k, lanes), store_lanes(f.y, fy + k, lanes), store_lanes(f.z, fz + k, lanes);
     store3(f, block.force, k);
   });
 }
 
 REGOLAB_INLINE void add(const Four& v, double* to) { store(load<Four>(to) + v, to); }
 REGOLAB_INLINE void take(const Four& v, double* from) { store(load<Four>(from) - v, from); }
-REGOLAB_INLINE int lanes_left(const Block& block, std::size_t k) { return static_cast<int>(std::min<std::size_t>(block.count - k, kMostLanes)); }
 
 /// Forces and torques onto both clusters, slot after slot.
 template <class P>
-REGOLAB_INLINE void add_pairs(const Slots& s, const Block& block, Load* load) {
-  const std::int32_t *body_a = s.body_a.data() + block.first, *body_b = s.body_b.data() + block.first;
+REGOLAB_INLINE void add_pairs(const Slots& s, const Block& block, const LoadTarget& target) {
+  const std::int32_t *body_a = s.body_a.data() + block.first, *onto_b = s.onto_b.data() + block.first;
+  Load *clusters = target.clusters, *cells = target.cells;
   each_pack<P>(block, [&](std::size_t k) REGOLAB_INLINE_LAMBDA {
     const Triple<P> f = load3<P>(block.force, k);
     const auto onto = [=](int l, const Four& force, const Four& torque) REGOLAB_INLINE_LAMBDA {
-      Load &a = load[lane(body_a, k, l)], &b = load[lane(body_b, k, l)];
+      const std::int32_t b_at = onto_b[k + static_cast<std::size_t>(l)];
+      Load &a = clusters[lane(body_a, k, l)], &b = b_at >= 0 ? clusters[b_at] : cells[~b_at];
       add(force, &a.fx), add(torque, &a.tx);
       take(force, &b.fx), take(torque, &b.tx);
     };
-    each_row(0, lanes_left(block, k), onto, rows_of(f), rows_of(cross(load3<P>(block.point, k), f)));
+    each_row(0, lanes_left<P>(block, k), onto, rows_of(f), rows_of(cross(load3<P>(block.point, k), f)));
   });
 }
 
 template <class P>
-REGOLAB_INLINE void add_walls(const Slots& s, const Block& block, Load* load) {
+REGOLAB_INLINE void add_walls(const Slots& s, const Block& block, const LoadTarget& target) {
   const std::int32_t* body_a = s.body_a.data() + block.first;
+  Load* clusters = target.clusters;
   each_pack<P>(block, [&](std::size_t k) REGOLAB_INLINE_LAMBDA {
     const Triple<P> f = load3<P>(block.force, k);
     const auto onto = [=](int l, const Four& force, const Four& torque) REGOLAB_INLINE_LAMBDA {
-      Load& a = load[lane(body_a, k, l)];
+      Load& a = clusters[lane(body_a, k, l)];
       add(force, &a.fx), add(torque, &a.tx);
     };
-    each_row(0, lanes_left(block, k), onto, rows_of(f), rows_of(cross(load3<P>(block.point, k), f)));
-  });
-}
-
-/// Loads into the slots, for sum_loads.
-template <class P>
-REGOLAB_INLINE void keep_loads(Slots& s, const Block& block) {
-  each_pack<P>(block, [&](std::size_t k) REGOLAB_INLINE_LAMBDA {
-    Load* load = s.load.data() + block.first + k;
-    const Triple<P> f = load3<P>(block.force, k);
-    const auto into = [=](int l, const Four& force, const Four& torque) REGOLAB_INLINE_LAMBDA {
-      store(force, &load[l].fx), store(torque, &load[l].tx);
-    };
-    each_row(0, lanes_left(block, k), into, rows_of(f), rows_of(cross(load3<P>(block.point, k), f)));
+    each_row(0, lanes_left<P>(block, k), onto, rows_of(f), rows_of(cross(load3<P>(block.point, k), f)));
   });
 }
 
@@ -207,8 +204,9 @@ REGOLAB_INLINE void split_wall_forces(Slots& s, const Block& block) {
     const Triple<P> f = load3<P>(block.force, k), n = load3<P>(block.normal, k);
     const P normal = dot(f, n);
     const Triple<P> t = f - normal * n;
-    store(select(load<P>(block.overlap + k) > 0.0, normal, pack_of<P>(kApart)), s.normal.data() + block.first + k);
-    store(root(dot(t, t)), s.shear.data() + block.first + k);
+    const int lanes = lanes_left<P>(block, k);
+    store_lanes(select(load<P>(block.overlap + k) > 0.0, normal, pack_of<P>(kApart)), s.normal.data() + block.first + k, lanes);
+    store_lanes(root(dot(t, t)), s.shear.data() + block.first + k, lanes);
   });
 }
 
@@ -222,75 +220,36 @@ REGOLAB_INLINE void each_block(Stretch stretch, Work work) {
 }
 
 template <class P>
-REGOLAB_INLINE void press_pairs_with(const ForceInput& in, Stretch stretch, Slots& slots, Load* loads) {
+REGOLAB_INLINE void press_pairs_with(const ForceInput& in, Stretch stretch, Slots& slots, LoadTarget target) {
   each_block(stretch, [&](Block& block) REGOLAB_INLINE_LAMBDA {
     measure_pairs<P>(in, slots, block);
     apply_law<P>(in.law, in.dt, slots, block);
-    if (loads) add_pairs<P>(slots, block, loads);
-    else keep_loads<P>(slots, block);
+    add_pairs<P>(slots, block, target);
   });
 }
 
 template <class P>
-REGOLAB_INLINE void press_walls_with(const ForceInput& in, const Walls& walls, Stretch stretch, Slots& slots, Load* loads) {
+REGOLAB_INLINE void press_walls_with(const ForceInput& in, const Walls& walls, Stretch stretch, Slots& slots, LoadTarget target) {
   const WallRecords records(walls);
   each_block(stretch, [&](Block& block) REGOLAB_INLINE_LAMBDA {
     measure_walls<P>(in, records, slots, block);
     apply_law<P>(in.law, in.dt, slots, block);
     split_wall_forces<P>(slots, block);
-    if (loads) add_walls<P>(slots, block, loads);
-    else keep_loads<P>(slots, block);
+    add_walls<P>(slots, block, target);
   });
 }
 
 }  // namespace
 
-REGOLAB_HOT(void, press_pairs, (const ForceInput& in, Stretch stretch, Slots& slots, Load* loads), (in, stretch, slots, loads))
-REGOLAB_HOT(void, press_walls, (const ForceInput& in, const Walls& walls, Stretch stretch, Slots& slots, Load* loads),
-            (in, walls, stretch, slots, loads))
-
-void list_shares(const Slots& pairs, const Slots& walls, std::size_t n_bodies, Shares& shares) {
-  shares.first.assign(n_bodies + 2, 0);
-  const auto at = [&](std::int32_t body) -> std::int32_t& { return shares.first[static_cast<std::size_t>(body) + 2]; };
-  for (std::size_t k = 0; k < pairs.count; ++k) ++at(pairs.body_a[k]), ++at(pairs.body_b[k]);
-  for (std::size_t k = 0; k < walls.count; ++k) ++at(walls.body_a[k]);
-  for (std::size_t i = 2; i < shares.first.size(); ++i) shares.first[i] += shares.first[i - 1];
-  shares.slot.resize(2 * pairs.count + walls.count);
-  const auto put = [&](std::int32_t body, std::size_t share) {
-    shares.slot[static_cast<std::size_t>(shares.first[static_cast<std::size_t>(body) + 1]++)] = static_cast<std::int32_t>(share);
-  };
-  for (std::size_t k = 0; k < pairs.count; ++k) put(pairs.body_a[k], 2 * k), put(pairs.body_b[k], 2 * k + 1);
-  for (std::size_t k = 0; k < walls.count; ++k) put(walls.body_a[k], ~k);
-}
-
-namespace {
-
-template <class>
-REGOLAB_INLINE void sum_loads_with(const Shares& shares, const Slots& pairs, const Slots& walls, Stretch bodies, std::vector<Load>& loads) {
-  for (std::size_t i = bodies.begin; i < bodies.end; ++i) {
-    Four force{}, torque{};
-    const auto last = static_cast<std::size_t>(shares.first[i + 1]);
-    for (auto n = static_cast<std::size_t>(shares.first[i]); n < last; ++n) {
-      const std::int32_t share = shares.slot[n];
-      const Load& on_a = share < 0 ? walls.load[static_cast<std::size_t>(~share)] : pairs.load[static_cast<std::size_t>(share / 2)];
-      const double sign = share >= 0 && share % 2 == 1 ? -1.0 : 1.0;
-      force += sign * load<Four>(&on_a.fx);
-      torque += sign * load<Four>(&on_a.tx);
-    }
-    store(force, &loads[i].fx), store(torque, &loads[i].tx);
-  }
-}
-
-}  // namespace
-
-REGOLAB_HOT(void, sum_loads, (const Shares& shares, const Slots& pairs, const Slots& walls, Stretch bodies, std::vector<Load>& loads),
-            (shares, pairs, walls, bodies, loads))
+REGOLAB_HOT(void, press_pairs, (const ForceInput& in, Stretch stretch, Slots& slots, LoadTarget target), (in, stretch, slots, target))
+REGOLAB_HOT(void, press_walls, (const ForceInput& in, const Walls& walls, Stretch stretch, Slots& slots, LoadTarget target),
+            (in, walls, stretch, slots, target))
 
 void sum_wall_forces(const Slots& slots, Walls& walls) {
   for (Wall& wall : walls.wall) wall.force = wall.shear = 0.0, wall.contacts = 0;
   for (std::size_t k = 0; k < slots.count; ++k) {
     if (slots.normal[k] == kApart) continue;
-    Wall& wall = walls[slots.first[k]];
+    Wall& wall = walls[slots.second[k]];
     wall.force += slots.normal[k];
     wall.shear += slots.shear[k];
     ++wall.contacts;

@@ -13,20 +13,15 @@ struct ForceInput {
   const Bodies& bodies;   ///< their motion, as the integrator published it
 };
 
-/// Springs and forces into their slots, and forces and torques onto the clusters in slot order. Without `loads` they
-/// stay in the slots (which keep loads then): threads share the work, and sum_loads() adds up.
-void press_pairs(const ForceInput& in, Stretch stretch, Slots& slots, Load* loads);
-void press_walls(const ForceInput& in, const Walls& walls, Stretch stretch, Slots& slots, Load* loads);
-
-/// Which slots load a cluster, in the order in which one thread would add them.
-struct Shares {
-  std::vector<std::int32_t> first;  // [n + 1]
-  std::vector<std::int32_t> slot;   // pairs: 2 slot (as a) or 2 slot + 1 (as b); walls: -1 - slot
+/// Where the loads of a stretch of slots go.
+struct LoadTarget {
+  Load* clusters;  ///< [n]
+  Load* cells;     ///< of the crossings
 };
-void list_shares(const Slots& pairs, const Slots& walls, std::size_t n_bodies, Shares& shares);
 
-/// Loads of a stretch of clusters from those that the slots keep: the same bits as on one thread.
-void sum_loads(const Shares& shares, const Slots& pairs, const Slots& walls, Stretch bodies, std::vector<Load>& loads);
+/// Springs and forces into their slots, and forces and torques onto the clusters, or into the cells of crossings, in slot order.
+void press_pairs(const ForceInput& in, Stretch stretch, Slots& slots, LoadTarget target);
+void press_walls(const ForceInput& in, const Walls& walls, Stretch stretch, Slots& slots, LoadTarget target);
 
 /// The walls' own force, shear and contacts from their slots, one after the other.
 void sum_wall_forces(const Slots& slots, Walls& walls);

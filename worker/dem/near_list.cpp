@@ -16,7 +16,6 @@ void make_room(std::size_t n, Vectors&... vectors) {
 
 void relax(Slots& s) {
   make_room(s.count, s.root_mass, s.sx, s.sy, s.sz, s.fx, s.fy, s.fz, s.ball_a);
-  if (s.keep_loads) make_room(s.count, s.load);
   for (auto* zero : {&s.sx, &s.sy, &s.sz, &s.fx, &s.fy, &s.fz}) std::fill_n(zero->begin(), s.count, 0.0);
 }
 
@@ -63,18 +62,23 @@ void append_pairs(std::size_t begin, std::size_t more, Slots& slots) {
 void list_near_walls(const Bodies& bodies, const Spheres& spheres, const Centres& at, const Walls& walls, const Margins& margins,
                      double wall_margin, Slots& slots) {
   slots.count = 0;
-  for (int id = 0; id < kWalls; ++id) {
-    if (!walls[id].present) continue;
-    for (std::size_t i = 0; i < bodies.x.size(); ++i) {
-      const double margin = margins.margin[i] + wall_margin;
-      if (wall_distance(walls, id, {bodies.x[i], bodies.y[i], bodies.z[i]}).distance - bodies.reach[i] > margin) continue;
-      if (bodies.gone[i] || bodies.inverse_mass[i] == 0.0) continue;
-      for (auto s = bodies.first_sphere[i]; s < bodies.first_sphere[i + 1]; ++s) {
-        const auto k = static_cast<std::size_t>(s);
-        if (wall_distance(walls, id, {at.x[k], at.y[k], at.z[k]}).distance - spheres.radius[k] > margin) continue;
+  for (std::size_t i = 0; i < bodies.x.size(); ++i) {
+    if (bodies.gone[i] || bodies.inverse_mass[i] == 0.0) continue;
+    const double margin = margins.margin[i] + wall_margin;
+    std::array<int, kWalls> near{};
+    std::size_t n_near = 0;
+    for (int id = 0; id < kWalls; ++id) {
+      if (!walls[id].present) continue;
+      if (wall_distance(walls, id, {bodies.x[i], bodies.y[i], bodies.z[i]}).distance - bodies.reach[i] <= margin) near[n_near++] = id;
+    }
+    if (n_near == 0) continue;
+    for (auto s = bodies.first_sphere[i]; s < bodies.first_sphere[i + 1]; ++s) {
+      const auto k = static_cast<std::size_t>(s);
+      for (std::size_t w = 0; w < n_near; ++w) {
+        if (wall_distance(walls, near[w], {at.x[k], at.y[k], at.z[k]}).distance - spheres.radius[k] > margin) continue;
         make_room(slots.count + 1, slots.first, slots.second, slots.body_a);
-        slots.first[slots.count] = id;
-        slots.second[slots.count] = s;
+        slots.first[slots.count] = s;
+        slots.second[slots.count] = near[w];
         slots.body_a[slots.count++] = static_cast<std::int32_t>(i);
       }
     }
@@ -83,7 +87,7 @@ void list_near_walls(const Bodies& bodies, const Spheres& spheres, const Centres
 
 void fill_pair_slots(const Bodies& bodies, Slots& s) {
   relax(s);
-  make_room(s.count, s.ball_b);
+  make_room(s.count, s.ball_b, s.onto_b);
   for (std::size_t k = 0; k < s.count; ++k) {
     const auto i = static_cast<std::size_t>(s.body_a[k]), j = static_cast<std::size_t>(s.body_b[k]);
     s.root_mass[k] = 1.0 / std::sqrt(bodies.inverse_mass[i] + bodies.inverse_mass[j]);
@@ -108,7 +112,7 @@ void collect_balls(const Spheres& spheres, Slots& pairs, Slots& walls, Balls& ba
     of[static_cast<std::size_t>(pairs.first[k])] = kNamed;
     of[static_cast<std::size_t>(pairs.second[k])] = kNamed;
   }
-  for (std::size_t k = 0; k < walls.count; ++k) of[static_cast<std::size_t>(walls.second[k])] = kNamed;
+  for (std::size_t k = 0; k < walls.count; ++k) of[static_cast<std::size_t>(walls.first[k])] = kNamed;
   balls.body.clear(), balls.offset.clear();
   for (std::size_t s = 0; s < n; ++s) {
     if (of[s] != kNamed) continue;
@@ -121,9 +125,9 @@ void collect_balls(const Spheres& spheres, Slots& pairs, Slots& walls, Balls& ba
     pairs.ball_a[k] = of[static_cast<std::size_t>(pairs.first[k])];
     pairs.ball_b[k] = of[static_cast<std::size_t>(pairs.second[k])];
   }
-  for (std::size_t k = 0; k < walls.count; ++k) walls.ball_a[k] = of[static_cast<std::size_t>(walls.second[k])];
+  for (std::size_t k = 0; k < walls.count; ++k) walls.ball_a[k] = of[static_cast<std::size_t>(walls.first[k])];
   pad(pairs.count, pairs.ball_a, pairs.ball_b, pairs.body_a, pairs.body_b);
-  pad(walls.count, walls.ball_a, walls.body_a, walls.first);
+  pad(walls.count, walls.ball_a, walls.body_a, walls.second);
 }
 
 namespace {

@@ -22,19 +22,18 @@ struct Balls {
 
 inline constexpr double kApart = -1.0;  ///< stands for the normal force of a wall slot that does not touch; none is negative
 
-/// Near pairs, or near wall contacts (then `first` is the wall, and nothing stands under b). A slot that does not touch holds
+/// Near pairs, or near wall contacts (then `second` is the wall, and nothing stands under b). A slot that does not touch holds
 /// zeros. Arrays have room for a whole pack past the count, and the indices there repeat the last.
 struct Slots {
   std::size_t count = 0;
-  std::vector<std::int32_t> first, second;   // [count] sphere and sphere, or wall and sphere: the canonical order
+  std::vector<std::int32_t> first, second;   // [count] sphere and sphere, or sphere and wall: the canonical order
   std::vector<std::int32_t> body_a, body_b;  // [count]
   std::vector<std::int32_t> ball_a, ball_b;  // [count]
+  std::vector<std::int32_t> onto_b;          // [count] cluster b, or ~cell where it belongs to another slab
   std::vector<double> root_mass;             // [count] root of the effective mass [kg^0.5]
   std::vector<double> sx, sy, sz;            // [count] spring [m]
   std::vector<double> fx, fy, fz;            // [count] force on a in the last step [N]
-  std::vector<Load> load;                    // [count] on a, where threads share a step
   std::vector<double> normal, shear;         // [count] walls: normal force or kApart, and size of the rest [N]
-  bool keep_loads = false;                   ///< threads share the steps: loads stay here until sum_loads()
   bool hold_springs = false;                 ///< false until springs were given to these slots
 };
 

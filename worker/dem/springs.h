@@ -7,7 +7,7 @@
 namespace regolab::dem {
 
 struct Springs {
-  std::vector<std::int32_t> first, second;  // [n] sphere and sphere, or wall and sphere; sorted by first, then second
+  std::vector<std::int32_t> first, second;  // [n] sphere and sphere, or sphere and wall; sorted by first, then second
   std::vector<double> sx, sy, sz;           // [n] [m]
 
   void clear() {

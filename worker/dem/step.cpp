@@ -11,18 +11,36 @@
 namespace regolab::dem {
 namespace {
 
-/// Runs visit(stretch, part) over [0, n), each thread its own part. Cuts lie at multiples of kMostLanes and do not show in the results.
+/// Runs visit(t, threads) for each thread t.
+template <class Visit>
+void each_thread(const World& w, Visit visit) {
+  if (w.threads <= 1) return visit(std::size_t{0}, std::size_t{1});
+  const auto threads = static_cast<std::size_t>(w.threads);
+  my_team(w.threads).run([&](int t) { visit(static_cast<std::size_t>(t), threads); });
+}
+
+/// Runs visit(stretch, thread) over [0, n), each thread its own slabs. Cuts lie at multiples of kMostLanes and do not show in the results.
 template <class Visit>
 void share_out(const World& w, std::size_t n, Visit visit) {
-  if (w.threads <= 1) return visit(Stretch{0, n}, std::size_t{0});
-  const auto parts = static_cast<std::size_t>(w.threads);
-  const auto cut = [&](std::size_t t) { return t == parts ? n : n * t / parts / kMostLanes * kMostLanes; };
-  my_team(w.threads).run([&](int t) {
-    const auto part = static_cast<std::size_t>(t);
-    visit(Stretch{cut(part), cut(part + 1)}, part);
+  each_thread(w, [&](std::size_t t, std::size_t threads) {
+    visit(Stretch{cut(n, kSlabs * t / threads, kSlabs), cut(n, kSlabs * (t + 1) / threads, kSlabs)}, t);
   });
 }
 
+std::size_t slabs_of(const World& w) {
+  if (w.slabs != 0) return w.slabs;
+  return w.bodies.count() > kMostInOneSlab ? kSlabs : 1;
+}
+
+/// The same over what the slabs of the bed begin at: each thread the slabs of its clusters.
+template <class Visit>
+void share_slabs(const World& w, const std::array<std::size_t, kSlabs + 1>& begin, Visit visit) {
+  const std::size_t slabs = slabs_of(w);
+  if (slabs == 1) return visit(Stretch{begin[0], begin[1]});
+  each_thread(w, [&](std::size_t t, std::size_t threads) { visit(Stretch{begin[slabs * t / threads], begin[slabs * (t + 1) / threads]}); });
+}
+
+LoadTarget target_of(World& w) { return {w.bodies.load.data(), w.crossings.cell.data()}; }
 ForceInput input_of(const World& w) { return {w.law, w.dt, w.balls, w.bodies}; }
 
 void renew_margins(World& w) {
@@ -37,9 +55,6 @@ void renew_margins(World& w) {
   }
   w.wall_margin = std::clamp(2 * travel.time * fastest, travel.least, travel.most);
 }
-
-/// Clusters came or went, or the number of threads changed what the slots must hold.
-bool lists_unfit(const World& w) { return w.lists_stale || (w.threads > 1) != w.near_pairs.keep_loads; }
 
 // Work, in units of pressing one slot (about 10 ns), measured on the beds of tests/bench.
 constexpr double kPerListedPair = 0.5, kPerSphere = 0.5, kPerCluster = 2;  // of a refresh
@@ -95,7 +110,6 @@ void refresh_lists(World& w) {
   w.centres.resize(static_cast<std::size_t>(w.spheres.count()));
   share_out(w, w.bodies.x.size(), [&](Stretch s, std::size_t) { sphere_centres(w.bodies, w.spheres, s, w.centres); });
   if (w.lists_stale || moved_beyond(w.pairs, w.bodies, w.margins)) list_pairs(w);
-  w.near_pairs.keep_loads = w.near_walls.keep_loads = w.threads > 1;
   list_near_pairs(w);
   list_near_walls(w.bodies, w.spheres, w.centres, w.walls, w.margins, w.wall_margin, w.near_walls);
   fill_pair_slots(w.bodies, w.near_pairs);
@@ -103,7 +117,7 @@ void refresh_lists(World& w) {
   give_springs(w.pair_springs, w.near_pairs);
   give_springs(w.wall_springs, w.near_walls);
   collect_balls(w.spheres, w.near_pairs, w.near_walls, w.balls);
-  if (w.threads > 1) list_shares(w.near_pairs, w.near_walls, w.bodies.x.size(), w.shares);
+  list_crossings(w.bodies.x.size(), slabs_of(w), w.near_walls, w.near_pairs, w.crossings);
   ++w.refreshes;
 }
 
@@ -112,23 +126,17 @@ void place_balls(World& w) {
 }
 
 void press_pairs(World& w) {
-  Load* loads = w.threads <= 1 ? w.bodies.load.data() : nullptr;
-  share_out(w, w.near_pairs.count,
-            [&](Stretch s, std::size_t) { press_pairs(input_of(w), s, w.near_pairs, loads); });
+  share_slabs(w, w.crossings.pairs, [&](Stretch s) { press_pairs(input_of(w), s, w.near_pairs, target_of(w)); });
 }
 
 void press_walls(World& w) {
-  Load* loads = w.threads <= 1 ? w.bodies.load.data() : nullptr;
-  share_out(w, w.near_walls.count,
-            [&](Stretch s, std::size_t) { press_walls(input_of(w), w.walls, s, w.near_walls, loads); });
+  share_slabs(w, w.crossings.walls, [&](Stretch s) { press_walls(input_of(w), w.walls, s, w.near_walls, target_of(w)); });
   sum_wall_forces(w.near_walls, w.walls);
 }
 
-void sum_loads(World& w) {
-  if (w.threads <= 1) return;
-  share_out(w, w.bodies.x.size(), [&](Stretch s, std::size_t) {
-    sum_loads(w.shares, w.near_pairs, w.near_walls, s, w.bodies.load);
-  });
+void add_crossings(World& w) {
+  if (w.crossings.cell.empty()) return;
+  share_slabs(w, w.crossings.begin, [&](Stretch s) { add_crossings(s, w.crossings, w.bodies.load.data()); });
 }
 
 void compute_forces(World& w) {
@@ -139,20 +147,20 @@ void compute_forces(World& w) {
   place_balls(w);
   press_pairs(w);
   press_walls(w);
-  sum_loads(w);
+  add_crossings(w);
 }
 
 void step(World& w) {
   ++w.step;
   w.time += w.dt;
   const double power_before = wall_power(w.walls);
-  if (lists_unfit(w)) renew_margins(w);
+  if (w.lists_stale) renew_margins(w);
   const bool strayed = kick_and_drift(w);
-  if (strayed || lists_unfit(w)) refresh_lists(w);
+  if (strayed || w.lists_stale) refresh_lists(w);
   place_balls(w);
   press_pairs(w);
   press_walls(w);
-  sum_loads(w);
+  add_crossings(w);
   w.wall_work += 0.5 * (power_before + wall_power(w.walls)) * w.dt;
 }
 

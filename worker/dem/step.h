@@ -16,6 +16,6 @@ void refresh_lists(World& world);    ///< near slots from the pair list; that to
 void place_balls(World& world);
 void press_pairs(World& world);
 void press_walls(World& world);
-void sum_loads(World& world);        ///< only with threads
+void add_crossings(World& world);    ///< loads between slabs of a large bed
 
 }  // namespace regolab::dem

@@ -3,6 +3,7 @@
 #include <cstdint>
 
 #include "worker/dem/bodies.h"
+#include "worker/dem/crossings.h"
 #include "worker/dem/forces.h"
 #include "worker/dem/laws/linear.h"
 #include "worker/dem/near_list.h"
@@ -36,7 +37,8 @@ struct World {
   std::array<double, kWalls> walls_at_refresh{};  ///< [m]
   Slots near_pairs, near_walls;
   Balls balls;
-  Shares shares;             ///< for threads
+  Crossings crossings;
+  std::size_t slabs = 0;     ///< that the bed is cut into; 0: by its size
   Centres centres;           ///< of the last refresh
   Springs pair_springs, wall_springs;  ///< between two sets of slots, and in checkpoints
   std::int64_t list_builds = 0, refreshes = 0, refreshes_at_build = 0;

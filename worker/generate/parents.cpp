@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 
 namespace regolab::generate {
 namespace {
@@ -40,6 +41,19 @@ class Occupied {
   std::size_t nx_, ny_, nz_;
   std::vector<std::vector<std::size_t>> bins_;
 };
+
+/// By place along the box: neighbours in space are then neighbours in memory, and a thread's share of clusters is a slab.
+void sort_along(Parents& parents) {
+  std::vector<std::size_t> order(parents.centre.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return parents.centre[a][0] < parents.centre[b][0]; });
+  Parents sorted = parents;
+  for (std::size_t k = 0; k < order.size(); ++k) {
+    sorted.centre[k] = parents.centre[order[k]];
+    sorted.radius[k] = parents.radius[order[k]];
+  }
+  parents = std::move(sorted);
+}
 
 }  // namespace
 
@@ -79,6 +93,7 @@ std::optional<Parents> place_parents(const std::vector<double>& diameters, doubl
     if (!found) return std::nullopt;
   }
   for (double& radius : placed.radius) radius /= 1 + clearance;
+  sort_along(placed);
   return placed;
 }
 

@@ -9,15 +9,15 @@
 namespace regolab::generate {
 
 struct Parents {
-  std::vector<dem::Vec3> centre;  // [n] [m]
-  std::vector<double> radius;     // [n] [m], largest first
+  std::vector<dem::Vec3> centre;  // [n] [m], sorted along x
+  std::vector<double> radius;     // [n] [m]
   double fill_height = 0;         ///< of the filling box [m]
 };
 
 /// Diameters uniform by number in [L_S/5, L_S]: one draw in each of n equal strata, so that small beds hold the law too.
 std::vector<double> parent_diameters(int n, double largest, const Random& random);
 
-/// Largest first, at random, each `clearance` (a share of its radius) away from all others and from the walls, in a box of the
+/// Placed largest first, at random, each `clearance` (a share of its radius) away from all others and from the walls, in a box of the
 /// given base filled to `fraction` of spheres. Empty when a sphere finds no room in 20000 tries.
 std::optional<Parents> place_parents(const std::vector<double>& diameters, double length, double width, double fraction,
                                      double clearance, const Random& random);
