@@ -160,10 +160,9 @@ void derive_levels(Column& column, Report& report) {
   for (const double value : sorted) {
     if (!level_of(column.factor, value)) column.factor.values.push_back(value);
   }
-  if (column.factor.values.size() < 2 || column.factor.values.size() > kMostLevels) {
-    report.add(column.factor.place, "column '" + std::string(column.factor.field.name) + "' has " +
-                                        std::to_string(column.factor.values.size()) + " level(s) (a factor has 2 to " +
-                                        std::to_string(kMostLevels) + ") put it under `fixed` instead");
+  if (column.factor.values.size() < 2) {
+    report.add(column.factor.place, "column '" + std::string(column.factor.field.name) + "' has the same value in every row (a factor "
+                                        "has two levels or more) put it under `fixed` instead");
   }
 }
 

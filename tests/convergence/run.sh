@@ -9,10 +9,9 @@ command -v gnuplot >/dev/null || packages+=(gnuplot-nox)
 install_missing
 build_regolab -- regolab regolab-scheduler regolab-worker
 db=${REGOLAB_CONVERGENCE_DB:-$root/build/convergence.db} regolab=$root/build/bin/regolab
-for study in convergence:design:results size:size:size size-8000:size-8000:size-8000 damping:damping:damping; do
-  IFS=: read -r name design table <<<"$study"
-  "$regolab" run "$here/$design.yaml" --db "$db" >/dev/null
-  id=$("$regolab" status --db "$db" 2>/dev/null | awk -v name="$name" '$2 == name { id = $1 } END { print id }')
+for study in design:results damping:damping size:size size-8000:size-8000; do
+  IFS=: read -r design table <<<"$study"
+  id=$("$regolab" run "$here/$design.yaml" --db "$db" --json | sed -n 's/^  "experiment": "\(.*\)",$/\1/p')
   "$regolab" results "$id" --csv --db "$db" >"$here/$table.csv" 2>/dev/null
 done
 plots=$(mktemp -d)

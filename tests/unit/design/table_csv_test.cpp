@@ -51,7 +51,7 @@ TEST(TableCsv, TellsEveryProblemAtItsCell) {
   EXPECT_THAT(read("K_N,N_E\n1e5,2\n5e4,4\n").diagnostics, ElementsAre(at(2, 1, "has no unit"), at(3, 1, "has no unit")));
   EXPECT_THAT(read("point,N_E\n1,2\n3,4\n").diagnostics,
               ElementsAre(at(3, 1, "point '3' (points count 1, 2, 3, ...) write 2")));
-  EXPECT_THAT(read("N_E,rotation\n2,x\n2,z\n").diagnostics, ElementsAre(at(1, 1, "column 'N_E' has 1 level(s)")));
+  EXPECT_THAT(read("N_E,rotation\n2,x\n2,z\n").diagnostics, ElementsAre(at(1, 1, "column 'N_E' has the same value in every row")));
   EXPECT_THAT(read("N_E\n2\n").diagnostics, ElementsAre(at(0, 0, "table has 1 rows below its header")));
   EXPECT_THAT(read("").diagnostics, ElementsAre(at(0, 0, "table has 0 rows")));
   EXPECT_THAT(read("N_E\n2\n\xFF\n").diagnostics, ElementsAre(at(0, 0, "not a text file")));
