@@ -11,7 +11,7 @@ build_regolab -- regolab regolab-scheduler regolab-worker
 db=${REGOLAB_CONVERGENCE_DB:-$root/build/convergence.db} regolab=$root/build/bin/regolab
 for study in design:results damping:damping size:size size-8000:size-8000; do
   IFS=: read -r design table <<<"$study"
-  id=$("$regolab" run "$here/$design.yaml" --db "$db" --json | sed -n 's/^  "experiment": "\(.*\)",$/\1/p')
+  id=$("$regolab" run "$here/$design.yaml" --db "$db" --json | sed -n 's/^  "experiment": "\(.*\)",$/\1/p') || [ $? = 5 ]
   "$regolab" results "$id" --csv --db "$db" >"$here/$table.csv" 2>/dev/null
 done
 plots=$(mktemp -d)
