@@ -47,6 +47,7 @@ struct Tree {
     app.add_flag("--version", version, "what `regolab version` says");
     add_study_verbs();
     add_experiment_verbs();
+    add_surrogate_verbs();
     add_article_verbs();
   }
 
@@ -121,6 +122,33 @@ struct Tree {
     export_verb->add_option("-o,--output", arguments.output, "a folder that does not exist yet")
         ->type_name("DIR")
         ->required();
+  }
+
+  void add_surrogate_verbs() {
+    const auto model_of = [this](CLI::App* sub) {
+      sub->add_option("--model", arguments.model, "a model's id, or its start [the newest here, else the program's own]")->type_name("ID");
+    };
+    auto* train = verb(app, "train", "fit a surrogate to experiments; tells how well it predicts points it has not seen");
+    train->add_option("ID", arguments.experiments, "experiments whose points are learned together")->required();
+    train->add_option("--name", arguments.name, "of the model [the first experiment's]")->type_name("NAME");
+    train->add_option("-o,--output", arguments.output, "the model as a file, too")->type_name("FILE");
+    model_of(verb(app, "models", "trained models: inputs, ranges, how well they predict"));
+    auto* predict = verb(app, "predict", "properties of a material without a DEM run, with 90 % bands");
+    predict->add_option("--set", arguments.set, "a parameter with its unit: --set theta_F=40degree --set N_E=2 ...")->type_name("NAME=VALUE");
+    predict->add_option("--table", arguments.table, "many materials: CSV with columns as in a design's table")->type_name("FILE");
+    predict->add_option("--sigma3", arguments.sigma3, "sigma1 at this confining stress too, anywhere between those of the data")->type_name("STRESS");
+    predict->add_flag("--curves", arguments.curves, "stress-strain curves under each --sigma3");
+    predict->add_flag("--csv", arguments.csv, "as CSV");
+    output_of(predict);
+    model_of(predict);
+    auto* invert = verb(app, "invert", "materials that should measure what a target file asks for");
+    invert->add_option("TARGET", arguments.target, "target.yaml: targets with tolerances, fixed and free parameters")->required();
+    invert->add_option("--candidates", arguments.candidates, "how many to show")->check(CLI::Range(1, 64))->type_name("N");
+    invert->add_flag("--confirm", arguments.confirm, "run the best in DEM, learn from it, and repeat until the targets are met or the budget is spent");
+    invert->add_option("--budget", arguments.budget, "DEM runs (settling and each test count one) of --confirm")->check(CLI::Range(2, 100000))->type_name("RUNS");
+    invert->add_option("--seeds", arguments.seeds, "seeds of a confirmation [4]")->check(CLI::Range(1, 1000))->type_name("K");
+    workers_of(invert);
+    model_of(invert);
   }
 
   void add_article_verbs() {

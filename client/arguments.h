@@ -36,6 +36,18 @@ struct Arguments {
   bool all = false;
   std::string shell = "bash";
 
+  std::vector<std::string> experiments;  ///< to train on
+  std::string model;                     ///< id or its start; empty = the newest
+  std::string name;                      ///< of a model
+  std::vector<std::string> set;          ///< "theta_F=40degree"
+  std::vector<std::string> sigma3;       ///< "3 kPa"
+  bool curves = false;
+  std::string table;                     ///< CSV of materials
+  std::string target;                    ///< TARGET.yaml
+  bool confirm = false;
+  unsigned budget = 40;                  ///< DEM runs
+  unsigned candidates = 6;
+
   std::string original_line;  ///< the words after the verb, for "type this again"
 };
 

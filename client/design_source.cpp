@@ -67,15 +67,14 @@ void attach(const YamlNode& table, const fs::path& design, pb::SubmitRequest& re
   }
 }
 
-/// Unique per intended submission; a repeated call carries the same one.
+}  // namespace
+
 std::string new_request_id() {
   std::random_device random;
   std::string id;
   for (int i = 0; i < 4; ++i) id += fmt::format("{:08x}", random());
   return id;
 }
-
-}  // namespace
 
 Outcome read_design_source(const Arguments& arguments, pb::SubmitRequest& request, std::vector<Diagnostic>& diagnostics) {
   std::string why;

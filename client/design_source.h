@@ -16,6 +16,9 @@ namespace regolab::client {
 /// kInvalidInput; everything else is the scheduler's to judge.
 Outcome read_design_source(const Arguments& arguments, pb::SubmitRequest& request, std::vector<Diagnostic>& diagnostics);
 
+/// Unique per intended submission; a repeated call carries the same one.
+std::string new_request_id();
+
 /// `file:line:column: problem (why) remedy` with source line and caret, the place in bold and the caret in red.
 std::string diagnostics_text(const std::vector<Diagnostic>& diagnostics, bool colour);
 

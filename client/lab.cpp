@@ -16,6 +16,7 @@ using Clock = std::chrono::steady_clock;
 
 constexpr auto kCallLimit = 120s;    // analysis of the largest designs is far below
 constexpr auto kStreamLimit = 5min;  // a stream is renewed, so that a peer that vanished without a word is noticed
+constexpr auto kTrainLimit = 6h;
 constexpr auto kReachLimit = 10s;
 constexpr auto kTryAgainEvery = 200ms;
 constexpr int kLargestReply = 256 << 20;  // the results of the largest design, all curves aside
@@ -92,6 +93,7 @@ struct Lab::Stubs {
   std::shared_ptr<grpc::Channel> channel;
   std::unique_ptr<pb::Experiments::Stub> experiments;
   std::unique_ptr<pb::Results::Stub> results;
+  std::unique_ptr<pb::Surrogates::Stub> surrogates;
 };
 
 Lab::Lab(Options options) : options_(std::move(options)), stubs_(std::make_unique<Stubs>()) {
@@ -104,6 +106,7 @@ Lab::Lab(Options options) : options_(std::move(options)), stubs_(std::make_uniqu
   stubs_->channel = grpc::CreateCustomChannel(options_.address, grpc::InsecureChannelCredentials(), arguments);
   stubs_->experiments = pb::Experiments::NewStub(stubs_->channel);
   stubs_->results = pb::Results::NewStub(stubs_->channel);
+  stubs_->surrogates = pb::Surrogates::NewStub(stubs_->channel);
 }
 
 Lab::~Lab() = default;
@@ -187,6 +190,30 @@ Outcome Lab::compare_article(const std::string& experiment, pb::CompareArticleRe
   pb::CompareArticleRequest request;
   request.set_experiment(experiment);
   return unary([&](auto& context) { return stubs_->results->CompareArticle(&context, request, &reply); });
+}
+
+Outcome Lab::predict(const pb::PredictRequest& request, pb::PredictReply& reply) {
+  return unary([&](auto& context) { return stubs_->surrogates->Predict(&context, request, &reply); });
+}
+
+Outcome Lab::models(pb::ListModelsReply& reply) {
+  return unary([&](auto& context) { return stubs_->surrogates->ListModels(&context, {}, &reply); });
+}
+
+Outcome Lab::invert(const pb::InvertRequest& request, pb::InvertReply& reply) {
+  return unary([&](auto& context) { return stubs_->surrogates->Invert(&context, request, &reply); });
+}
+
+Outcome Lab::train(const pb::TrainRequest& request, const std::function<void(const pb::TrainEvent&)>& on_event, pb::TrainEvent& last) {
+  grpc::ClientContext context;
+  context.set_deadline(wall(kTrainLimit));
+  const Cancelling cancelling(context, options_.stops);
+  const auto stream = stubs_->surrogates->Train(&context, request);
+  for (pb::TrainEvent event; stream->Read(&event);) {
+    if (event.has_model()) last = event;
+    else on_event(event);
+  }
+  return outcome_of(stream->Finish(), options_.address);
 }
 
 Outcome Lab::watch(const std::string& experiment, std::uint64_t from_seq, Clock::time_point until,

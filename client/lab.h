@@ -36,6 +36,12 @@ class Lab {
   Outcome check_article(pb::CheckArticleReply& reply);
   Outcome compare_article(const std::string& experiment, pb::CompareArticleReply& reply);
 
+  Outcome predict(const pb::PredictRequest& request, pb::PredictReply& reply);
+  Outcome models(pb::ListModelsReply& reply);
+  Outcome invert(const pb::InvertRequest& request, pb::InvertReply& reply);
+  /// Until the model is stored; `last` is the event that carries it.
+  Outcome train(const pb::TrainRequest& request, const std::function<void(const pb::TrainEvent&)>& on_event, pb::TrainEvent& last);
+
   /// One stream, until it ends or is due for renewal; kUnreachable when it broke. `until` ends it with kTimeout.
   Outcome watch(const std::string& experiment, std::uint64_t from_seq, std::chrono::steady_clock::time_point until,
                 const std::function<void(const pb::WatchEvent&)>& on_event);

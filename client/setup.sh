@@ -6,7 +6,7 @@ root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 packages=(g++ cmake ninja-build ccache mold
   libgrpc-dev libgrpc++-dev protobuf-compiler protobuf-compiler-grpc libprotobuf-dev libsqlite3-dev libeigen3-dev
   libspdlog-dev libfmt-dev libgtest-dev libgmock-dev libyaml-cpp-dev libudunits2-dev libcli11-dev nlohmann-json3-dev
-  libboost-dev librandom123-dev libssl-dev)
+  libboost-dev libnlopt-cxx-dev librandom123-dev libssl-dev)
 
 install_missing() {
   local missing

@@ -9,6 +9,8 @@ namespace {
 constexpr const char* kMigrations[] = {
     kSchema,
     "ALTER TABLE job ADD COLUMN most_damping_ratio REAL NOT NULL DEFAULT 0;",  // 0 = every dashpot as given, as it was
+    "CREATE TABLE model ("  // surrogates; `file` is their own JSON
+    "id TEXT PRIMARY KEY, name TEXT NOT NULL, created_ms INTEGER NOT NULL, file TEXT NOT NULL) STRICT, WITHOUT ROWID;",
 };
 static_assert(std::size(kMigrations) == kSchemaVersion);
 

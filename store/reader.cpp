@@ -124,4 +124,20 @@ Result<void> Reader::read_curves(JobId job, StageResult& result) {
   return s.end("read the curves");
 }
 
+Result<std::vector<ModelRecord>> Reader::models() {
+  std::vector<ModelRecord> models;
+  Statement s = db_.prepare("SELECT id, name, created_ms FROM model ORDER BY created_ms DESC, id");
+  while (s.step()) models.push_back({s.text(0), s.text(1), s.integer(2), ""});
+  if (auto end = s.end("read the models"); !end.ok()) return end.error();
+  return models;
+}
+
+Result<ModelRecord> Reader::model(const std::string& id) {
+  Statement s = db_.prepare("SELECT id, name, created_ms, file FROM model WHERE substr(id, 1, length(?1)) = ?1 ORDER BY created_ms DESC");
+  if (!s.bind(id).step()) {
+    return Error{Code::kNotFound, "model '" + id + "' is not known here (not in this database), list them with `regolab models`"};
+  }
+  return ModelRecord{s.text(0), s.text(1), s.integer(2), s.text(3)};
+}
+
 }  // namespace regolab

@@ -18,6 +18,10 @@ class Reader {
   Result<std::vector<StoredResponse>> responses(ExperimentId id);  ///< of stages that completed
   /// Bit for bit what was accepted; kNotFound when the job has none.
   Result<StageResult> result(JobId job);
+  /// Newest first; without their files.
+  Result<std::vector<ModelRecord>> models();
+  /// By id, or the start of one; kNotFound.
+  Result<ModelRecord> model(const std::string& id);
 
  private:
   explicit Reader(Database db) : db_(std::move(db)) {}

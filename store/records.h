@@ -61,6 +61,14 @@ struct StoredStage {
   std::optional<std::string> end_name;
 };
 
+/// A surrogate, as its file.
+struct ModelRecord {
+  std::string id;
+  std::string name;
+  std::int64_t created_ms = 0;  ///< Unix time
+  std::string file;
+};
+
 struct StoredResponse {
   int point = 0;
   std::uint64_t seed = 0;

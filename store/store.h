@@ -52,6 +52,9 @@ class Store {
   Result<void> accept_result(const Acceptance& acceptance, const StageResult& result);
   Result<void> forget_result(JobId job);
 
+  /// Known already: its time is renewed, so that it is the newest.
+  Result<void> add_model(const ModelRecord& record);
+
   Result<void> add_event(ExperimentId id, std::uint64_t seq, std::int64_t unix_ms, const std::string& text);
   Result<std::vector<EventRecord>> events(ExperimentId id, std::uint64_t from_seq, int limit);
 

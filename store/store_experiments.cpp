@@ -2,6 +2,15 @@
 
 namespace regolab {
 
+Result<void> Store::add_model(const ModelRecord& r) {
+  return db_.prepare("INSERT INTO model VALUES (?, ?, ?, ?) ON CONFLICT (id) DO UPDATE SET created_ms = excluded.created_ms")
+      .bind(r.id)
+      .bind(r.name)
+      .bind(r.created_ms)
+      .bind(r.file)
+      .run("store a model");
+}
+
 Result<void> Store::add_experiment(const ExperimentRecord& r) {
   auto done = db_.prepare("INSERT INTO experiment VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, NULL)")
                   .bind(static_cast<std::uint64_t>(r.id))

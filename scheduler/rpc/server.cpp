@@ -12,6 +12,7 @@
 #include "scheduler/rpc/artifacts.h"
 #include "scheduler/rpc/experiments.h"
 #include "scheduler/rpc/results.h"
+#include "scheduler/rpc/surrogates.h"
 #include "scheduler/rpc/watch.h"
 #include "scheduler/rpc/worker_pool.h"
 
@@ -23,7 +24,7 @@ constexpr std::chrono::seconds kPatience{2};
 
 struct Server::State {
   State(std::unique_ptr<Desk> opened, const std::string& database)
-      : desk(std::move(opened)), hub(*desk), pool(*desk), artifacts(*desk), experiments(*desk, hub), results(database) {}
+      : desk(std::move(opened)), hub(*desk), pool(*desk), artifacts(*desk), experiments(*desk, hub), results(database), surrogates(*desk, database) {}
 
   std::unique_ptr<Desk> desk;
   WatchHub hub;
@@ -31,6 +32,7 @@ struct Server::State {
   ArtifactsService artifacts;
   ExperimentsService experiments;
   ResultsService results;
+  SurrogatesService surrogates;
   std::unique_ptr<grpc::Server> server;
   std::string address;
 };
@@ -64,6 +66,7 @@ Result<std::unique_ptr<Server>> Server::start(ServerOptions options) {
   builder.RegisterService(&state->artifacts);
   builder.RegisterService(&state->experiments);
   builder.RegisterService(&state->results);
+  builder.RegisterService(&state->surrogates);
   state->server = builder.BuildAndStart();
   if (!state->server || port == 0) {
     return Error{Code::kAlreadyExists,

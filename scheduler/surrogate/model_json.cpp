@@ -1,0 +1,122 @@
+#include "scheduler/surrogate/model_json.h"
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "digest/sha256.h"
+#include "scheduler/surrogate/curves.h"
+#include "scheduler/surrogate/fit.h"
+#include "vocab/stage.h"
+
+namespace regolab::surrogate {
+namespace {
+
+using Json = nlohmann::ordered_json;
+constexpr std::string_view kFormat = "regolab.model/1";
+
+Json hyper_json(const Hyperparameters& h) {
+  return {{"log_length", h.log_length}, {"log_signal", h.log_signal}, {"log_trend", h.log_trend}, {"log_noise", h.log_noise}};
+}
+
+Hyperparameters hyper_of(const Json& j) {
+  return {.log_length = j.at("log_length").get<std::vector<double>>(),
+          .log_signal = j.at("log_signal"),
+          .log_trend = j.at("log_trend"),
+          .log_noise = j.at("log_noise")};
+}
+
+/// Without the id, which is made from this.
+Json body_of(const Model& model) {
+  Json out{{"format", kFormat}, {"name", model.name}, {"physics_version", model.physics_version}, {"fixed", model.data.fixed}};
+  for (const InputColumn& c : model.data.columns) {
+    out["columns"].push_back({{"name", c.name}, {"labels", c.labels}, {"low", c.low}, {"high", c.high}});
+  }
+  for (const ResponseModel& r : model.responses) {
+    out["responses"].push_back({{"id", r.id}, {"unit", r.unit}, {"hyperparameters", hyper_json(r.process.hyperparameters())}});
+  }
+  if (model.curves) {
+    for (const GaussianProcess& p : model.curves->processes) out["curves"].push_back(hyper_json(p.hyperparameters()));
+  }
+  for (const DataRow& row : model.data.rows) {
+    Json means = Json::object();
+    for (const auto& [id, mean] : row.mean) {
+      if (is_modelled(id) || id.find('@') != std::string::npos) means[id] = {mean.value, mean.seeds};
+    }
+    out["rows"].push_back({{"source", row.source}, {"x", row.x}, {"mean", std::move(means)}});
+  }
+  return out;
+}
+
+Dataset dataset_from(const Json& in) {
+  Dataset data;
+  data.fixed = in.at("fixed").get<std::map<std::string, std::string>>();
+  for (const Json& c : in.at("columns")) {
+    data.columns.push_back({c.at("name"), c.at("labels").get<std::vector<std::string>>(), c.at("low"), c.at("high")});
+  }
+  for (const Json& r : in.at("responses")) data.unit[r.at("id")] = r.at("unit");
+  for (const Json& r : in.at("rows")) {
+    DataRow row{.source = r.at("source"), .x = r.at("x").get<std::vector<double>>(), .mean = {}};
+    if (row.x.size() != data.columns.size()) throw std::out_of_range("a row does not fit the columns");
+    for (const auto& [id, mean] : r.at("mean").items()) row.mean[id] = {mean.at(0), mean.at(1)};
+    data.rows.push_back(std::move(row));
+  }
+  if (data.rows.size() < kFewestRows) throw std::out_of_range("too few rows");
+  return data;
+}
+
+Model model_from(const Json& in) {
+  Model model{.name = in.at("name"), .physics_version = in.at("physics_version"), .data = dataset_from(in), .responses = {}, .curves = {}};
+  const auto width = static_cast<std::size_t>(scaled_inputs(model.data.columns, model.data.rows.front().x).size());
+  const auto checked = [&](const Json& j) {
+    Hyperparameters h = hyper_of(j);
+    if (h.log_length.size() != width) throw std::out_of_range("hyperparameters do not fit the columns");
+    return h;
+  };
+  for (const Json& r : in.at("responses")) {
+    model.responses.push_back(response_model(model.data, r.at("id"), checked(r.at("hyperparameters"))));
+  }
+  if (in.contains("curves")) {
+    const Json& list = in.at("curves");
+    model.curves = curve_model(model.data, [&](Observations o, std::size_t k) { return GaussianProcess(std::move(o), checked(list.at(k))); });
+  }
+  model.id = id_of(model);
+  return model;
+}
+
+}  // namespace
+
+std::string id_of(const Model& model) { return sha256_hex(body_of(model).dump()).substr(0, 12); }
+
+std::string to_json(const Model& model) {
+  Json out = body_of(model);
+  std::string text = "{\n";  // one line a row: readable, and small beside indented arrays
+  bool first = true;
+  for (const auto& [key, value] : out.items()) {
+    text += (first ? "" : ",\n") + Json(key).dump() + ": ";
+    first = false;
+    if (!value.is_array()) {
+      text += value.dump();
+      continue;
+    }
+    text += "[";
+    for (std::size_t i = 0; i < value.size(); ++i) text += (i ? ",\n " : "\n ") + value[i].dump();
+    text += "]";
+  }
+  return text + "\n}\n";
+}
+
+Result<Model> model_from_json(const std::string& text) {
+  try {
+    const Json in = Json::parse(text);
+    if (in.at("format") != kFormat) return Error{Code::kDataLoss, "not a regolab model (format " + in.at("format").dump() + ") train it again"};
+    if (const int version = in.at("physics_version"); version != kPhysicsVersion) {
+      return Error{Code::kFailedPrecondition, "the model was trained under physics version " + std::to_string(version) + " (this program has " +
+                                                  std::to_string(kPhysicsVersion) + ") train it again"};
+    }
+    return model_from(in);
+  } catch (const std::exception& problem) {  // the library's only way to say that a file is damaged
+    return Error{Code::kDataLoss, std::string("the model cannot be read (") + problem.what() + ") train it again"};
+  }
+}
+
+}  // namespace regolab::surrogate
