@@ -34,6 +34,7 @@ const std::map<std::string, Verb>& verbs() {
       {"export", export_stages},
       {"article check", check_article},
       {"article compare", compare_article},
+      {"article functions", article_functions},
       {"version", version},
       {"completion", completion},
   };

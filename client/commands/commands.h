@@ -21,6 +21,7 @@ Outcome range(const Arguments& arguments, Console& console);
 Outcome export_stages(const Arguments& arguments, Console& console);
 Outcome check_article(const Arguments& arguments, Console& console);
 Outcome compare_article(const Arguments& arguments, Console& console);
+Outcome article_functions(const Arguments& arguments, Console& console);
 Outcome version(const Arguments& arguments, Console& console);
 Outcome completion(const Arguments& arguments, Console& console);
 
