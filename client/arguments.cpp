@@ -134,7 +134,9 @@ struct Tree {
     functions->add_option("ID", arguments.experiment,
                           "train on this experiment: its id, the start of it, its name, or `last` [the article's tables]");
     functions->add_flag("--article", arguments.article, "train on the article's own tables, said aloud");
-    functions->add_option("--seed", arguments.random_seed, "of the 70/15/15 split and the random starts [1]")->type_name("N");
+    functions->add_option("--seed", arguments.random_seed, "of the 70/15/15 split and the random starts [1]")
+        ->check(CLI::NonNegativeNumber)
+        ->type_name("N");
     verb(app, "version", "versions of program and physics");
     auto* completion = verb(app, "completion", "a completion script for bash: source <(regolab completion)");
     completion->add_option("SHELL", arguments.shell, "bash")->check(CLI::IsMember({"bash"}));

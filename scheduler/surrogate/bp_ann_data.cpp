@@ -6,6 +6,7 @@
 #include <map>
 #include <optional>
 #include <set>
+#include <string_view>
 
 #include "scheduler/analysis/article.h"
 #include "vocab/units.h"
@@ -61,16 +62,15 @@ struct Source {
   double pressure = 0;  ///< kPa
 };
 
-/// Mean over seeds of every response of a point, in SI. Errors: a number that is not finite.
-using Means = std::map<std::string, double>;
+/// One test, its seeds averaged.
 struct Point {
-  std::vector<int> level;
-  Means mean;
+  std::vector<int> level;              // [n_factors of the table]
+  std::map<std::string, double> mean;  ///< response id -> SI
 };
 
-class Reader {
+class TableReader {
  public:
-  Reader(const ResultTable& table, int function) : table_(table), function_(function), recipe_(recipe_of(function)) {}
+  TableReader(const ResultTable& table, int function) : table_(table), function_(function), recipe_(recipe_of(function)) {}
 
   Result<AnnData> read() {
     if (auto found = find_factors(); !found.ok()) return found.error();
@@ -245,7 +245,7 @@ class Reader {
 Result<AnnData> ann_data(const ResultTable& table, int function) {
   if (function < 1 || function > 3)
     return invalid(name_of(function) + " (the article has BP-ANN-1, -2 and -3) name one of them");
-  return Reader(table, function).read();
+  return TableReader(table, function).read();
 }
 
 ResultTable article_training_table() {

@@ -55,6 +55,7 @@ TEST_F(ArgumentsTest, BadValuesAreUsageErrors) {
   EXPECT_THAT(refusal({"run"}), HasSubstr("DESIGN is required"));
   EXPECT_THAT(refusal({"status", "a", "b"}), HasSubstr("b"));
   EXPECT_THAT(refusal({"results", "--csv", "--json"}), HasSubstr("--csv and --json together"));
+  EXPECT_THAT(refusal({"article", "functions", "--seed", "-3"}), HasSubstr("--seed"));
   EXPECT_THAT(refusal({"article", "functions", "last", "--article"}), HasSubstr("--article with an experiment"));
 }
 
