@@ -135,7 +135,9 @@ struct Tree {
                           "train on this experiment: its id, the start of it, its name, or `last` [the article's tables]");
     functions->add_flag("--article", arguments.article, "train on the article's own tables, said aloud");
     functions->add_option("--seed", arguments.random_seed, "of the 70/15/15 split and the random starts [1]")
-        ->check(CLI::NonNegativeNumber)
+        ->check([](const std::string& word) {  // CLI11 itself would wrap a negative number around
+          return word.starts_with('-') ? "a whole number from 0 is wanted, not " + word : std::string();
+        })
         ->type_name("N");
     verb(app, "version", "versions of program and physics");
     auto* completion = verb(app, "completion", "a completion script for bash: source <(regolab completion)");

@@ -34,12 +34,12 @@ std::vector<int> drawn_order(const std::vector<int>& tests, std::uint64_t seed) 
 }
 
 double mean_square(const NetworkShape& shape, const Eigen::VectorXd& w, const AnnData& data) {
-  return (network_outputs(shape, w, data.x) - data.y).squaredNorm() / static_cast<double>(data.y.size());
+  return (network_forward(shape, w, data.x) - data.y).squaredNorm() / static_cast<double>(data.y.size());
 }
 
 /// Residuals in the order of network_jacobian: row by row, output by output.
 Eigen::VectorXd residual_of(const NetworkShape& shape, const Eigen::VectorXd& w, const AnnData& data) {
-  const Eigen::MatrixXd error = (network_outputs(shape, w, data.x) - data.y).transpose();
+  const Eigen::MatrixXd error = (network_forward(shape, w, data.x) - data.y).transpose();
   return Eigen::Map<const Eigen::VectorXd>(error.data(), error.size());
 }
 
@@ -74,7 +74,7 @@ std::vector<Eigen::Index> rows_of(const std::vector<int>& test, const std::vecto
 
 Eigen::MatrixXd AnnModel::predict(const Eigen::MatrixXd& x) const {
   Eigen::MatrixXd sum = Eigen::MatrixXd::Zero(x.rows(), shape.outputs);
-  for (const Fit& member : members) sum += network_outputs(shape, member.w, x);
+  for (const Fit& member : members) sum += network_forward(shape, member.w, x);
   return sum / static_cast<double>(members.size());
 }
 

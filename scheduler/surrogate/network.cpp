@@ -35,7 +35,7 @@ Eigen::VectorXd NetworkShape::penalised() const {
   return mask;
 }
 
-Eigen::MatrixXd network_outputs(const NetworkShape& shape, const Eigen::VectorXd& w, const Eigen::MatrixXd& x) {
+Eigen::MatrixXd network_forward(const NetworkShape& shape, const Eigen::VectorXd& w, const Eigen::MatrixXd& x) {
   const Parts parts(shape, w);
   Eigen::MatrixXd y = hidden_layer(parts, x) * parts.output.transpose();
   y.rowwise() += parts.output_bias;

@@ -19,7 +19,7 @@ struct NetworkShape {
 };
 
 /// Outputs for inputs x [rows][inputs]. [rows][outputs] REQUIRES: w has shape.weights() entries.
-Eigen::MatrixXd network_outputs(const NetworkShape& shape, const Eigen::VectorXd& w, const Eigen::MatrixXd& x);
+Eigen::MatrixXd network_forward(const NetworkShape& shape, const Eigen::VectorXd& w, const Eigen::MatrixXd& x);
 
 /// Derivatives of every output by every weight; output k of row i is line i * outputs + k. [rows * outputs][weights]
 Eigen::MatrixXd network_jacobian(const NetworkShape& shape, const Eigen::VectorXd& w, const Eigen::MatrixXd& x);

@@ -88,7 +88,7 @@ TEST_F(VerbsTest, FunctionsAreTrainedOnTheArticleUnlessAnExperimentIsNamed) {
   EXPECT_EQ(fake_.last_training().seed(), 3U);
   EXPECT_THAT(out_.str(), HasSubstr("BP-ANN-1  ours            -       0.988  0.988  0.988"));
   EXPECT_THAT(out_.str(), HasSubstr("article     0.937"));
-  EXPECT_THAT(out_.str(), HasSubstr("density        4  0.971"));
+  EXPECT_THAT(out_.str(), HasSubstr("density     4  0.971"));
   EXPECT_THAT(out_.str(), HasSubstr("split by test, seed 3 (BP-ANN-1)"));
   EXPECT_THAT(out_.str(), HasSubstr("BP-ANN-2 not trained: experiment E1 does not vary K_N (why) remedy"));
   EXPECT_THAT(out_.str(), HasSubstr("note: a note"));

@@ -17,7 +17,7 @@ TEST(Network, WithoutHiddenWeightsAnswersItsOutputBiases) {
   const NetworkShape shape{2, 3, 2};
   Eigen::VectorXd w = Eigen::VectorXd::Zero(shape.weights());
   w.tail(2) << 0.25, -1.5;
-  const Eigen::MatrixXd y = network_outputs(shape, w, sample_inputs());
+  const Eigen::MatrixXd y = network_forward(shape, w, sample_inputs());
   EXPECT_TRUE((y.col(0).array() == 0.25).all());
   EXPECT_TRUE((y.col(1).array() == -1.5).all());
 }
@@ -26,7 +26,7 @@ TEST(Network, OneHiddenUnitIsTheFormula) {
   const NetworkShape shape{2, 1, 1};
   Eigen::VectorXd w(5);
   w << 0.3, -0.7, 0.2, 1.5, 0.4;  // hidden weights, hidden bias, output weight, output bias
-  const Eigen::MatrixXd y = network_outputs(shape, w, sample_inputs());
+  const Eigen::MatrixXd y = network_forward(shape, w, sample_inputs());
   EXPECT_DOUBLE_EQ(y(1, 0), 1.5 * std::tanh(0.3 * 0.5 - 0.7 * 0.2 + 0.2) + 0.4);
 }
 
@@ -42,7 +42,7 @@ TEST(Network, JacobianAgreesWithCentralDifferences) {
     Eigen::VectorXd up = w, down = w;
     up(j) += kStep;
     down(j) -= kStep;
-    const Eigen::MatrixXd slope = (network_outputs(shape, up, x) - network_outputs(shape, down, x)) / (2 * kStep);
+    const Eigen::MatrixXd slope = (network_forward(shape, up, x) - network_forward(shape, down, x)) / (2 * kStep);
     for (int i = 0; i < 3; ++i) {
       for (int k = 0; k < 3; ++k) EXPECT_NEAR(jacobian(i * 3 + k, j), slope(i, k), 1e-9) << i << " " << k << " " << j;
     }
