@@ -158,6 +158,15 @@ struct Tree {
     auto* check = verb(*article, "check", "recompute Tables 4, 6, 8 and 10 from 3, 5, 7 and 9");
     check->add_flag("--all", arguments.all, "every entry, not only those that disagree");
     experiment_of(verb(*article, "compare", "our results beside the article's"));
+    auto* functions = verb(*article, "functions", "train the prediction functions BP-ANN-1, -2, -3; R beside Table 12");
+    functions->add_option("ID", arguments.experiment,
+                          "train on this experiment: its id, the start of it, its name, or `last` [the article's tables]");
+    functions->add_flag("--article", arguments.article, "train on the article's own tables, said aloud");
+    functions->add_option("--seed", arguments.random_seed, "of the 70/15/15 split and the random starts [1]")
+        ->check([](const std::string& word) {  // CLI11 itself would wrap a negative number around
+          return word.starts_with('-') ? "a whole number from 0 is wanted, not " + word : std::string();
+        })
+        ->type_name("N");
     verb(app, "version", "versions of program and physics");
     auto* completion = verb(app, "completion", "a completion script for bash: source <(regolab completion)");
     completion->add_option("SHELL", arguments.shell, "bash")->check(CLI::IsMember({"bash"}));
@@ -272,6 +281,8 @@ Parsed parse(const std::vector<std::string>& words) {
   }
   if (arguments.csv && arguments.json)
     return mistake("--csv and --json together (one form at a time) leave one of them out");
+  if (arguments.article && !arguments.experiment.empty())
+    return mistake("--article with an experiment (one table is learnt at a time) leave one of them out");
   if (arguments.database.empty()) return mistake("--db is empty (a file name is wanted) write --db FILE");
   arguments.colour = tree.colour == "always"  ? ColourChoice::kAlways
                      : tree.colour == "never" ? ColourChoice::kNever

@@ -34,6 +34,8 @@ struct Arguments {
   std::string output;    ///< file or folder; empty = stdout
   std::string response;  ///< empty = the primary ones
   bool all = false;
+  bool article = false;           ///< the article's own tables instead of an experiment
+  std::uint64_t random_seed = 1;  ///< of splits and random starts
   std::string shell = "bash";
 
   std::vector<std::string> experiments;  ///< to train on

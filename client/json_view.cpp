@@ -94,6 +94,43 @@ Json row_of(const pb::ResultsReply& results, const pb::ResultRow& row) {
   return out;
 }
 
+Json json_of(const pb::FitQuality& quality) {
+  return {{"rows", quality.rows()},
+          {"R", quality.has_r() ? Json(quality.r()) : Json()},
+          {"R2", quality.has_r2() ? Json(quality.r2()) : Json()},
+          {"rms", quality.rms()},
+          {"relative", quality.relative()}};
+}
+
+Json json_of(const pb::PredictionFunction& function) {
+  Json groups = Json::array();
+  for (const auto& group : function.groups()) {
+    groups.push_back({{"name", group.name()},
+                      {"points", list_of(group.points())},
+                      {"R", group.has_r() ? Json(group.r()) : Json()},
+                      {"R_pooled", group.has_r_pooled() ? Json(group.r_pooled()) : Json()},
+                      {"R_article", group.article_r()}});
+  }
+  Json outputs = Json::array();
+  for (const auto& output : function.outputs()) {
+    Json line{{"response", output.response()}, {"unit", output.unit()}, {"left_out", json_of(output.left_out())}};
+    for (int g = 0; g < output.groups_size(); ++g) line[function.groups(g).name()] = json_of(output.groups(g));
+    outputs.push_back(line);
+  }
+  return {{"name", function.name()},
+          {"problem", function.problem()},
+          {"inputs", list_of(function.inputs())},
+          {"hidden", function.hidden()},
+          {"weights", function.weights()},
+          {"weights_in_use", function.weights_in_use()},
+          {"starts", function.starts()},
+          {"chosen_start", function.chosen_start()},
+          {"members", function.members()},
+          {"folds", function.folds()},
+          {"groups", groups},
+          {"outputs", outputs}};
+}
+
 Json json_of(const google::protobuf::RepeatedPtrField<pb::Measurement>& measurements) {
   Json out = Json::object();
   for (const auto& m : measurements) {
@@ -240,6 +277,14 @@ void add_comparison(const pb::CompareArticleReply& comparison, Json& document) {
                                      {"cells", cells}});
   }
   document["notes"] = list_of(comparison.notes());
+}
+
+void add_functions(const pb::TrainFunctionsReply& trained, Json& document) {
+  document["experiment"] = trained.experiment();
+  document["seed"] = trained.seed();
+  document["functions"] = Json::array();
+  for (const auto& function : trained.functions()) document["functions"].push_back(json_of(function));
+  document["notes"] = list_of(trained.notes());
 }
 
 Json json_of(const pb::ExportItem& item) {

@@ -22,6 +22,7 @@ Json json_of(const pb::RangeReply& range);  ///< the list of responses
 void add_results(const pb::ResultsReply& results, Json& document);
 void add_check(const pb::CheckArticleReply& check, Json& document);
 void add_comparison(const pb::CompareArticleReply& comparison, Json& document);
+void add_functions(const pb::TrainFunctionsReply& trained, Json& document);
 Json json_of(const pb::ExportItem& item);  ///< without its curves, which are files
 
 /// Indented, with a line break at the end; bytes that are not UTF-8 are replaced.

@@ -216,6 +216,13 @@ Outcome Lab::train(const pb::TrainRequest& request, const std::function<void(con
   return outcome_of(stream->Finish(), options_.address);
 }
 
+Outcome Lab::train_functions(const std::string& experiment, std::uint64_t seed, pb::TrainFunctionsReply& reply) {
+  pb::TrainFunctionsRequest request;
+  request.set_experiment(experiment);
+  request.set_seed(seed);
+  return unary([&](auto& context) { return stubs_->results->TrainFunctions(&context, request, &reply); });
+}
+
 Outcome Lab::watch(const std::string& experiment, std::uint64_t from_seq, Clock::time_point until,
                    const std::function<void(const pb::WatchEvent&)>& on_event) {
   grpc::ClientContext context;

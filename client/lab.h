@@ -35,6 +35,7 @@ class Lab {
   Outcome range(const std::string& experiment, const std::string& response, pb::RangeReply& reply);
   Outcome check_article(pb::CheckArticleReply& reply);
   Outcome compare_article(const std::string& experiment, pb::CompareArticleReply& reply);
+  Outcome train_functions(const std::string& experiment, std::uint64_t seed, pb::TrainFunctionsReply& reply);
 
   Outcome predict(const pb::PredictRequest& request, pb::PredictReply& reply);
   Outcome models(pb::ListModelsReply& reply);

@@ -38,6 +38,7 @@ const std::map<std::string, Verb>& verbs() {
       {"invert", invert},
       {"article check", check_article},
       {"article compare", compare_article},
+      {"article functions", article_functions},
       {"version", version},
       {"completion", completion},
   };

@@ -2,6 +2,7 @@
 
 #include "rpc/convert.h"
 #include "scheduler/rpc/analysis_convert.h"
+#include "scheduler/rpc/functions_convert.h"
 #include "scheduler/rpc/grpc_status.h"
 #include "scheduler/rpc/result_table.h"
 
@@ -57,6 +58,20 @@ grpc::Status ResultsService::CompareArticle(grpc::ServerContext*, const v1::Comp
   const auto comparison = analysis::compare_article(table->table);
   if (!comparison.ok()) return to_grpc(comparison.error());
   *reply = to_proto(request->experiment(), *comparison);
+  return grpc::Status::OK;
+}
+
+grpc::Status ResultsService::TrainFunctions(grpc::ServerContext*, const v1::TrainFunctionsRequest* request,
+                                            v1::TrainFunctionsReply* reply) {
+  if (request->experiment().empty()) {
+    *reply = to_proto(surrogate::train_article_functions(request->seed()));
+    return grpc::Status::OK;
+  }
+  const auto table = table_of(database_, request->experiment());
+  if (!table.ok()) return to_grpc(table.error());
+  const auto report = surrogate::train_functions(table->table, request->seed());
+  if (!report.ok()) return to_grpc(report.error());
+  *reply = to_proto(*report);
   return grpc::Status::OK;
 }
 

@@ -14,6 +14,7 @@ class ResultsService final : public v1::Results::Service {
   grpc::Status Range(grpc::ServerContext*, const v1::RangeRequest*, v1::RangeReply*) override;
   grpc::Status CheckArticle(grpc::ServerContext*, const v1::CheckArticleRequest*, v1::CheckArticleReply*) override;
   grpc::Status CompareArticle(grpc::ServerContext*, const v1::CompareArticleRequest*, v1::CompareArticleReply*) override;
+  grpc::Status TrainFunctions(grpc::ServerContext*, const v1::TrainFunctionsRequest*, v1::TrainFunctionsReply*) override;
   grpc::Status Export(grpc::ServerContext*, const v1::ExportRequest*, grpc::ServerWriter<v1::ExportItem>*) override;
 
  private:

@@ -36,6 +36,7 @@ TEST_F(ArgumentsTest, ReadsAVerbWithItsOptionsAndThoseOfEveryVerb) {
 
 TEST_F(ArgumentsTest, NestedVerbsHaveTwoWords) {
   EXPECT_EQ(parse({"article", "compare", "last"}).arguments.verb, "article compare");
+  EXPECT_EQ(parse({"article", "functions", "--seed", "7"}).arguments.random_seed, 7U);
   EXPECT_EQ(parse({"design", "show", "a.yaml"}).arguments.verb, "design show");
 }
 
@@ -54,6 +55,8 @@ TEST_F(ArgumentsTest, BadValuesAreUsageErrors) {
   EXPECT_THAT(refusal({"run"}), HasSubstr("DESIGN is required"));
   EXPECT_THAT(refusal({"status", "a", "b"}), HasSubstr("b"));
   EXPECT_THAT(refusal({"results", "--csv", "--json"}), HasSubstr("--csv and --json together"));
+  EXPECT_THAT(refusal({"article", "functions", "--seed", "-3"}), HasSubstr("--seed"));
+  EXPECT_THAT(refusal({"article", "functions", "last", "--article"}), HasSubstr("--article with an experiment"));
 }
 
 TEST_F(ArgumentsTest, AWrongServerAddressIsToldBeforeAnythingIsDialled) {

@@ -36,6 +36,11 @@ std::string FakeLab::last_cancelled() {
   return last_cancelled_;
 }
 
+v1::TrainFunctionsRequest FakeLab::last_training() {
+  const std::lock_guard lock(mutex_);
+  return last_training_;
+}
+
 grpc::Status FakeLab::Validate(Context*, const v1::SubmitRequest*, v1::SubmitReply* out) {
   *out = judged;
   return Status::OK;
@@ -110,6 +115,13 @@ grpc::Status FakeLab::CheckArticle(Context*, const v1::CheckArticleRequest*, v1:
 
 grpc::Status FakeLab::CompareArticle(Context*, const v1::CompareArticleRequest*, v1::CompareArticleReply* out) {
   *out = comparison;
+  return refusal;
+}
+
+grpc::Status FakeLab::TrainFunctions(Context*, const v1::TrainFunctionsRequest* in, v1::TrainFunctionsReply* out) {
+  const std::lock_guard lock(mutex_);
+  last_training_ = *in;
+  *out = functions;
   return refusal;
 }
 

@@ -29,13 +29,15 @@ class FakeLab : public v1::Experiments::Service, public v1::Results::Service {
   v1::RangeReply range;
   v1::CheckArticleReply check;
   v1::CompareArticleReply comparison;
+  v1::TrainFunctionsReply functions;
   std::vector<v1::ExportItem> items;
-  grpc::Status refusal = grpc::Status::OK;  ///< of GetResults, Range and CompareArticle
+  grpc::Status refusal = grpc::Status::OK;  ///< of GetResults, Range, CompareArticle and TrainFunctions
 
   // What it was asked.
   std::vector<std::uint64_t> watched_from();
   std::vector<v1::SubmitRequest> submissions();
   std::string last_cancelled();
+  v1::TrainFunctionsRequest last_training();
 
  private:
   using Context = grpc::ServerContext;
@@ -51,6 +53,7 @@ class FakeLab : public v1::Experiments::Service, public v1::Results::Service {
   Status Range(Context*, const v1::RangeRequest* in, v1::RangeReply* out) override;
   Status CheckArticle(Context*, const v1::CheckArticleRequest* in, v1::CheckArticleReply* out) override;
   Status CompareArticle(Context*, const v1::CompareArticleRequest* in, v1::CompareArticleReply* out) override;
+  Status TrainFunctions(Context*, const v1::TrainFunctionsRequest* in, v1::TrainFunctionsReply* out) override;
   Status Export(Context*, const v1::ExportRequest* in, grpc::ServerWriter<v1::ExportItem>* out) override;
 
   std::filesystem::path folder_;
@@ -60,6 +63,7 @@ class FakeLab : public v1::Experiments::Service, public v1::Results::Service {
   std::vector<std::uint64_t> watched_from_;
   std::vector<v1::SubmitRequest> submissions_;
   std::string last_cancelled_;
+  v1::TrainFunctionsRequest last_training_;
 };
 
 }  // namespace regolab::client

@@ -141,4 +141,33 @@ pb::DesignSummary sample_summary() {
   return summary;
 }
 
+pb::TrainFunctionsReply sample_functions() {
+  pb::TrainFunctionsReply reply;
+  reply.set_experiment("article");
+  reply.set_seed(3);
+  auto& function = *reply.add_functions();
+  function.set_name("BP-ANN-1");
+  function.add_inputs("theta_F");
+  function.set_folds(4);
+  auto& output = *function.add_outputs();
+  output.set_response("bulk_density");
+  output.set_unit("g/cm3");
+  output.mutable_left_out()->set_rows(4);
+  output.mutable_left_out()->set_r(0.97125);
+  output.mutable_left_out()->set_rms(0.0281);
+  int point = 1;
+  for (const char* name : {"training", "validation", "test", "all"}) {
+    auto& group = *function.add_groups();
+    group.set_name(name);
+    if (point < 4) group.add_points(point++);
+    if (point > 2) group.set_r(0.98765);  // one point has no R
+    group.set_article_r(0.937);
+    output.add_groups()->set_rows(1);
+  }
+  reply.add_functions()->set_name("BP-ANN-2");
+  reply.mutable_functions(1)->set_problem("experiment E1 does not vary K_N (why) remedy");
+  reply.add_notes("a note");
+  return reply;
+}
+
 }  // namespace regolab::client

@@ -8,5 +8,6 @@ pb::ResultsReply sample_results();
 pb::RangeReply sample_range();
 pb::ExperimentStatus sample_status(const std::string& state = "running");
 pb::DesignSummary sample_summary();
+pb::TrainFunctionsReply sample_functions();  ///< BP-ANN-1 with one output; BP-ANN-2 without its factor
 
 }  // namespace regolab::client

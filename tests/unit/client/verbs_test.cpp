@@ -32,6 +32,7 @@ class VerbsTest : public ::testing::Test {
     fake_.final_status = sample_status("done");
     fake_.results = sample_results();
     fake_.range = sample_range();
+    fake_.functions = sample_functions();
   }
   void TearDown() override { fs::remove_all(folder_); }
 
@@ -70,6 +71,7 @@ TEST_F(VerbsTest, EveryVerbAnswersOneNamedJsonDocument) {
       {{"export", "E1", "-o", (folder_ / "export").string()}, "regolab.export/1"},
       {{"article", "check"}, "regolab.article-check/1"},
       {{"article", "compare"}, "regolab.article-compare/1"},
+      {{"article", "functions"}, "regolab.article-functions/1"},
       {{"version"}, "regolab.version/1"},
   };
   for (auto [words, format] : all) {
@@ -78,6 +80,27 @@ TEST_F(VerbsTest, EveryVerbAnswersOneNamedJsonDocument) {
     ASSERT_TRUE(document().is_object()) << words[0] << ": " << out_.str();
     EXPECT_EQ(document()["format"], format);
   }
+}
+
+TEST_F(VerbsTest, FunctionsAreTrainedOnTheArticleUnlessAnExperimentIsNamed) {
+  EXPECT_EQ(run({"article", "functions", "--seed", "3"}), 0);
+  EXPECT_EQ(fake_.last_training().experiment(), "");
+  EXPECT_EQ(fake_.last_training().seed(), 3U);
+  EXPECT_THAT(out_.str(), HasSubstr("BP-ANN-1  ours            -       0.988  0.988  0.988"));
+  EXPECT_THAT(out_.str(), HasSubstr("article     0.937"));
+  EXPECT_THAT(out_.str(), HasSubstr("density     4  0.971"));
+  EXPECT_THAT(out_.str(), HasSubstr("split by test, seed 3 (BP-ANN-1)"));
+  EXPECT_THAT(out_.str(), HasSubstr("BP-ANN-2 not trained: experiment E1 does not vary K_N (why) remedy"));
+  EXPECT_THAT(out_.str(), HasSubstr("note: a note"));
+  EXPECT_EQ(run({"article", "functions", "--article"}), 0);
+  EXPECT_EQ(fake_.last_training().experiment(), "");
+  EXPECT_EQ(run({"article", "functions", "last", "--json"}), 0);
+  EXPECT_NE(fake_.last_training().experiment(), "");
+  EXPECT_EQ(document()["functions"][0]["outputs"][0]["left_out"]["R"], 0.97125);
+  EXPECT_TRUE(document()["functions"][0]["outputs"][0]["left_out"]["R2"].is_null());
+  fake_.refusal = {grpc::StatusCode::FAILED_PRECONDITION, "experiment E1 has no sigma1 (why) remedy"};
+  EXPECT_EQ(run({"article", "functions", "last"}), 3);
+  EXPECT_THAT(err_.str(), HasSubstr("has no sigma1"));
 }
 
 TEST_F(VerbsTest, RunShowsTheDesignFollowsAndEndsWithTheRangeAnalysis) {

@@ -26,6 +26,7 @@ const std::vector<FolderRule>& folder_rules() {
       {"scheduler/design", {"vocab/", "input/", "scheduler/design/"}},
       {"scheduler/queue", {"vocab/", "digest/", "scheduler/queue/"}},
       {"scheduler/analysis", {"vocab/", "scheduler/analysis/"}},
+      {"scheduler/surrogate", {"vocab/", "input/", "digest/", "scheduler/analysis/", "scheduler/surrogate/"}},
       {"scheduler", {"vocab/", "digest/", "input/", "rpc/", "regolab/v1/", "scheduler/", "store/"}},
       {"store", {"vocab/", "digest/", "store/", "schema.h"}},
       {"client", {"vocab/", "input/", "rpc/", "regolab/v1/", "client/"}},
@@ -49,16 +50,17 @@ const std::vector<LibraryRule>& library_rules() {
 const std::vector<BannedRule>& banned_rules() {
   static const std::vector<BannedRule> rules{
       {"a clock (results must not depend on time)",
-       {"worker/dem", "worker/generate", "worker/protocol", "scheduler/design", "scheduler/queue", "scheduler/analysis"},
+       {"worker/dem", "worker/generate", "worker/protocol", "scheduler/design", "scheduler/queue", "scheduler/analysis",
+        "scheduler/surrogate"},
        {"chrono", "ctime", "time.h", "sys/time.h"},
        {"steady_clock", "system_clock", "gettimeofday", "clock_gettime"}},
       {"the standard's random numbers (they differ between libraries)",
-       {"worker", "scheduler/design", "scheduler/analysis"},
+       {"worker", "scheduler/design", "scheduler/analysis", "scheduler/surrogate"},
        {"random"},
        {"std::mt19937", "uniform_real_distribution", "normal_distribution", "std::rand", "random_device"}},
       {"printing (libraries return text)",
        {"worker/dem", "worker/generate", "worker/protocol", "worker/stage", "scheduler/design", "scheduler/queue",
-        "scheduler/analysis", "store", "proto"},
+        "scheduler/analysis", "scheduler/surrogate", "store", "proto"},
        {"iostream", "print"},
        {"std::cout", "std::cerr", "std::printf", "fprintf(", "puts("}},
   };
