@@ -12,7 +12,7 @@ int index_of(const Names& names, std::string_view name) {
 }
 
 StageKind kind_of(std::string_view name) {
-  for (const StageKind kind : {StageKind::kFabric, StageKind::kRepose, StageKind::kStress}) {
+  for (const StageKind kind : {StageKind::kFabric, StageKind::kRepose, StageKind::kStress, StageKind::kPenetration}) {
     if (name == name_of(kind)) return kind;
   }
   return StageKind::kSettle;
@@ -55,7 +55,8 @@ JobRecord read_job(const Statement& s, int c) {
                           .micro = read_micro(s, c + 6),
                           .numerics = read_numerics(s, c + 17),
                           .seed = static_cast<std::uint64_t>(s.integer(c + 4)),
-                          .confining_stress = s.real(c + 5)};
+                          .confining_stress = s.real(c + 5),
+                          .plate = {.width = s.real(c + 40), .thickness = s.real(c + 41)}};
   record.identity.spec.numerics.most_damping_ratio = s.real(c + 39);
   JobStatus& status = record.status;
   status.state = static_cast<JobState>(index_of(kJobStateNames, s.text(c + 26)));

@@ -44,7 +44,7 @@ Result<ExperimentRecord> Reader::design(const std::string& label) {
   for (s.bind(id); s.step();) {
     const std::string stage = s.text(2);
     StageKind kind = StageKind::kSettle;
-    for (const StageKind k : {StageKind::kFabric, StageKind::kRepose, StageKind::kStress}) {
+    for (const StageKind k : {StageKind::kFabric, StageKind::kRepose, StageKind::kStress, StageKind::kPenetration}) {
       if (stage == name_of(k)) kind = k;
     }
     r.responses.push_back({s.text(0), s.text(1), kind});

@@ -11,19 +11,21 @@
 #include "client/number_text.h"
 #include "client/session.h"
 #include "vocab/measurement.h"
+#include "vocab/plate.h"
 
 namespace regolab::client {
 namespace {
 
 namespace fs = std::filesystem;
 
-/// "settle", "fabric", "repose", "stress_2.5kPa".
+/// "settle", "fabric", "repose", "stress_2.5kPa", "penetration_30x3mm".
 std::string stage_name(const pb::StageSpec& spec) {
   switch (spec.kind()) {
     case pb::STAGE_SETTLE: return "settle";
     case pb::STAGE_FABRIC: return "fabric";
     case pb::STAGE_REPOSE: return "repose";
     case pb::STAGE_STRESS: return "stress_" + shortest(spec.confining_stress_pa() / 1000) + "kPa";
+    case pb::STAGE_PENETRATION: return "penetration_" + plate_text({spec.plate_width_m(), spec.plate_thickness_m()});
     default: return "stage";
   }
 }

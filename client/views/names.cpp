@@ -9,6 +9,7 @@ namespace regolab::client {
 namespace {
 
 constexpr std::string_view kStress = "sigma1_at_sigma3_";
+constexpr std::string_view kPlate = "penetration_force_0.25_0.50_plate_";
 constexpr std::array<std::pair<std::string_view, std::string_view>, 4> kShort = {{
     {"contacts_per_particle", "contacts"},
     {"bulk_density", "density"},
@@ -22,7 +23,7 @@ bool is_primary(std::string_view response) {
   for (const auto& [id, shown] : kShort) {
     if (response == id) return true;
   }
-  return response.starts_with(kStress);
+  return response.starts_with(kStress) || response.starts_with(kPlate);
 }
 
 std::string short_name(std::string_view response) {
@@ -30,6 +31,7 @@ std::string short_name(std::string_view response) {
     if (response == id) return std::string(shown);
   }
   if (response.starts_with(kStress)) return "sigma1@" + std::string(response.substr(kStress.size()));
+  if (response.starts_with(kPlate)) return "force@" + std::string(response.substr(kPlate.size()));
   return std::string(response);
 }
 

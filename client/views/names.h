@@ -7,7 +7,7 @@
 
 namespace regolab::client {
 
-/// The article's own responses: contacts, density, void ratio, repose, sigma1.
+/// The article's own responses: contacts, density, void ratio, repose, sigma1, the force on plates.
 bool is_primary(std::string_view response);
 
 /// For table headers: "contacts", "density", "sigma1@2.5kPa"; secondary responses keep their id.

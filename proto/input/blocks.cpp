@@ -5,6 +5,7 @@
 
 #include "input/field_value.h"
 #include "input/number_text.h"
+#include "vocab/canonical.h"
 #include "vocab/profile.h"
 #include "vocab/units.h"
 
@@ -13,6 +14,9 @@ namespace {
 
 constexpr double kArticleStresses[] = {1250, 2500, 5000, 10000};  // sigma3 [Pa], article Sec. 3.1.5
 constexpr std::size_t kMostStresses = 20;
+constexpr double kArticlePlates[] = {0.003, 0.005, 0.010};  // thickness [m], article Sec. 4.2
+constexpr double kArticlePlateWidth = 0.030;                // [m]
+constexpr std::size_t kMostPlates = 20;
 
 void ignore(Settings&, double) {}
 
@@ -30,6 +34,14 @@ constexpr Field kBoxSide{.name = "side",
                          .high = 100,
                          .usual = "leave `box` out to have it follow L_S",
                          .set = ignore};
+
+constexpr Field kPlateEdge{.name = "plate",
+                           .si = "m",
+                           .what = "length",
+                           .low = 1e-5,
+                           .high = 10,
+                           .usual = "the article's plates are 3, 5 and 10 mm thick and 30 mm wide",
+                           .set = ignore};
 
 std::vector<double> read_sigma3(const YamlNode& list, Report& report) {
   std::vector<double> stresses;
@@ -51,6 +63,45 @@ std::vector<double> read_sigma3(const YamlNode& list, Report& report) {
   std::ranges::sort(stresses);
   return stresses;
 }
+
+std::vector<double> read_thicknesses(const YamlNode& list, Report& report) {
+  std::vector<double> thicknesses;
+  if (!list.is_list() || list.items.empty() || list.items.size() > kMostPlates) {
+    report.add(list.place, "penetration.plates (must be a list of 1 to " + std::to_string(kMostPlates) +
+                               " thicknesses) write e.g. [3 mm, 10 mm]");
+    return thicknesses;
+  }
+  for (const YamlNode& item : list.items) {
+    const auto thickness = read_field(kPlateEdge, item, "", "penetration.plates", report);
+    if (!thickness) continue;
+    const auto same = [&](double other) { return plate_text({0, other}) == plate_text({0, *thickness}); };
+    if (std::ranges::any_of(thicknesses, same)) {
+      report.add(item.place,
+                 "penetration.plates: " + excerpt(item.text) + " stands twice (each plate is pushed in once) remove one");
+    }
+    thicknesses.push_back(*thickness);
+  }
+  std::ranges::sort(thicknesses);
+  return thicknesses;
+}
+
+std::vector<PlateSize> read_plates(MapReader& top, Report& report) {
+  double width = kArticlePlateWidth;
+  std::vector<double> thicknesses(std::begin(kArticlePlates), std::end(kArticlePlates));
+  if (const YamlNode* node = top.get("penetration")) {
+    MapReader block(*node, "penetration", report);
+    if (const YamlNode* list = block.get("plates")) thicknesses = read_thicknesses(*list, report);
+    if (const YamlNode* given = block.get("width")) {
+      width = read_field(kPlateEdge, *given, "", "penetration.width", report).value_or(width);
+    }
+    block.finish();
+  }
+  std::vector<PlateSize> plates;
+  for (const double thickness : thicknesses) plates.push_back({.width = width, .thickness = thickness});
+  return plates;
+}
+
+std::string centimetres(double metres) { return number_text(metres * door_unit("m").factor) + " cm"; }
 
 bool asks_for(const std::vector<std::size_t>& tests, std::string_view name) {
   return std::ranges::any_of(tests, [&](std::size_t i) { return kTestNames[i] == name; });
@@ -93,6 +144,8 @@ Tests read_tests(MapReader& top, Report& report) {
     stress.finish();
   }
   if (asks_for(wanted, "stress")) read.confining_stresses = std::move(stresses);
+  std::vector<PlateSize> plates = read_plates(top, report);
+  if (asks_for(wanted, "penetration")) read.plates = std::move(plates);
   return read;
 }
 
@@ -137,10 +190,21 @@ std::string box_problem(const Settings& settings) {
   const double least = 2 * settings.micro.largest_diameter;
   const double length = settings.numerics.box_length;
   const double width = settings.numerics.box_width;
-  const auto cm = [](double metres) { return number_text(metres * door_unit("m").factor) + " cm"; };
   if ((length == 0 || length >= least) && (width == 0 || width >= least)) return {};
-  return "box " + cm(length) + " x " + cm(width) + " (each side must hold two of the largest particles, here " + cm(least) +
+  return "box " + centimetres(length) + " x " + centimetres(width) + " (each side must hold two of the largest particles, here " + centimetres(least) +
          ") widen it, or leave `box` out to have it follow L_S";
+}
+
+std::string plate_problem(const Settings& settings, const std::vector<PlateSize>& plates) {
+  const double room = 2 * 0.6 * settings.micro.largest_diameter;  // diameters are uniform in [L_S/5, L_S]
+  const Base base = base_of({.micro = settings.micro, .numerics = settings.numerics});
+  for (const PlateSize& plate : plates) {
+    if (plate.width + room <= base.length && plate.thickness + room <= base.width) continue;
+    return "plate " + centimetres(plate.width) + " x " + centimetres(plate.thickness) + " in a box " + centimetres(base.length) + " x " +
+           centimetres(base.width) + " (at each side a particle of mean size, here " + centimetres(0.5 * room) +
+           ", needs room) widen the box, or take a smaller plate";
+  }
+  return {};
 }
 
 }  // namespace regolab

@@ -25,12 +25,25 @@ void read_micro(MapReader& top, Settings& settings, Report& report) {
   micro.finish();
 }
 
+/// Where a key stands in the file; else where its block would.
+Place place_of(const YamlNode& map, std::string_view key) {
+  for (const YamlKey& k : map.keys) {
+    if (k.text == key) return k.place;
+  }
+  return map.place;
+}
+
 void check_box(const MapReader& top, const Settings& settings, Report& report) {
   const std::string problem = settings.micro.largest_diameter > 0 ? box_problem(settings) : "";
+  if (!problem.empty()) report.add(place_of(top.node(), "box"), problem);
+}
+
+void check_plates(const MapReader& top, const Settings& settings, const Tests& tests, Report& report) {
+  if (!(settings.micro.largest_diameter > 0)) return;
+  const std::string problem = plate_problem(settings, tests.plates);
   if (problem.empty()) return;
-  for (std::size_t i = 0; i < top.node().keys.size(); ++i) {
-    if (top.node().keys[i].text == "box") return report.add(top.node().keys[i].place, problem);
-  }
+  const Place block = place_of(top.node(), "penetration");
+  report.add(block == top.node().place ? place_of(top.node(), "tests") : block, problem);
 }
 
 }  // namespace
@@ -49,11 +62,13 @@ Read<Job> read_job(std::string_view text, const std::string& file_name) {
   read_micro(top, settings, report);
   check_box(top, settings, report);
   Tests tests = read_tests(top, report);
+  check_plates(top, settings, tests, report);
   top.finish();
   job.micro = settings.micro;
   job.numerics = settings.numerics;
   job.repose = tests.repose;
   job.confining_stresses = std::move(tests.confining_stresses);
+  job.plates = std::move(tests.plates);
   if (!report.empty()) return {std::nullopt, report.take()};
   return {std::move(job), {}};
 }

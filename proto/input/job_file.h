@@ -17,6 +17,7 @@ struct Job {
   Numerics numerics;  ///< the profile's, with what the file overrides
   bool repose = false;
   std::vector<double> confining_stresses;  ///< sigma3 of the stress tests [Pa]; empty = none
+  std::vector<PlateSize> plates;           ///< of the penetration test, thin ones first; empty = none
 };                                         // settling and the fabric measurement are always done
 
 /// `file_name` is for messages only.

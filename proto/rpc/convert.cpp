@@ -59,6 +59,8 @@ v1::StageSpec to_proto(const StageSpec& spec) {
   out.set_kind(static_cast<v1::StageKind>(spec.kind));
   out.set_seed(spec.seed);
   out.set_confining_stress_pa(spec.confining_stress);
+  out.set_plate_width_m(spec.plate.width);
+  out.set_plate_thickness_m(spec.plate.thickness);
   v1::Micro& m = *out.mutable_micro();
   m.set_friction_angle_rad(spec.micro.friction_angle);
   m.set_normal_stiffness_n_per_m(spec.micro.normal_stiffness);
@@ -116,13 +118,14 @@ Result<StageSpec> from_proto(const v1::StageSpec& spec) {
                              .inertial_number = n.inertial_number(),
                              .axial_strain = n.axial_strain()},
                 .seed = spec.seed(),
-                .confining_stress = spec.confining_stress_pa()};
+                .confining_stress = spec.confining_stress_pa(),
+                .plate = {.width = spec.plate_width_m(), .thickness = spec.plate_thickness_m()}};
   const Micro& c = out.micro;
   const Numerics& d = out.numerics;
   if (!finite({c.friction_angle, c.normal_stiffness, c.normal_damping, c.tangential_stiffness, c.tangential_damping,
                c.largest_diameter, c.grain_density, c.gravity, d.box_length, d.box_width, d.settle_stiffness_number,
                d.stress_stiffness_number, d.mass_floor, d.step_fraction, d.most_damping_ratio, d.inertial_number, d.axial_strain,
-               out.confining_stress})) {
+               out.confining_stress, out.plate.width, out.plate.thickness})) {
     return invalid("stage refused (a parameter is not a finite number)");
   }
   return out;

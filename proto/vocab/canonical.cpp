@@ -69,6 +69,11 @@ std::string canonical_text(const StageSpec& spec) {
                                    {"inertial_number", shortest(spec.numerics.inertial_number)},
                                    {"stress_stiffness_number", shortest(spec.numerics.stress_stiffness_number)}});
       break;
+    case StageKind::kPenetration:
+      text += "[penetration]\n" + join({{"inertial_number", shortest(spec.numerics.inertial_number)},
+                                        {"plate_thickness", shortest(spec.plate.thickness)},
+                                        {"plate_width", shortest(spec.plate.width)}});
+      break;
   }
   return text;
 }

@@ -23,7 +23,7 @@ enum class StageEnd {
 struct Measurement {
   std::string id;
   double value = 0;   ///< SI
-  std::string unit;   ///< the SI unit: "1", "kg/m3", "rad", "Pa", "m", "s", "1/s", "J"
+  std::string unit;   ///< the SI unit: "1", "kg/m3", "rad", "Pa", "m", "s", "1/s", "J", "N"
   std::optional<double> standard_error;  ///< SI, where the protocol itself yields one (strips, time average)
   std::string definition;                ///< one line, for observation files
 
@@ -32,7 +32,7 @@ struct Measurement {
 
 struct Curve {
   std::string id;      ///< `repose_profile`, `sigma1_at_sigma3_2.5kPa`, ...
-  std::string test;    ///< `settle`, `repose`, `stress`
+  std::string test;    ///< `settle`, `repose`, `stress`, `penetration`
   std::string x_name, x_unit, y_name, y_unit;  ///< units SI as above
   std::vector<double> x, y;                    // [n_points]
 

@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "vocab/micro.h"
+#include "vocab/plate.h"
 
 namespace regolab {
 
@@ -16,6 +17,7 @@ enum class StageKind {
   kFabric = 1,  ///< contacts, contact angles, density, void ratio of the settled bed; no DEM steps
   kRepose = 2,  ///< angle of repose
   kStress = 3,  ///< stress test at one confining pressure
+  kPenetration = 4,  ///< one plate pushed into the settled bed
 };
 
 inline std::string_view name_of(StageKind kind) {
@@ -24,6 +26,7 @@ inline std::string_view name_of(StageKind kind) {
     case StageKind::kFabric: return "fabric";
     case StageKind::kRepose: return "repose";
     case StageKind::kStress: return "stress";
+    case StageKind::kPenetration: return "penetration";
   }
   return "unknown";
 }
@@ -38,7 +41,7 @@ struct Numerics {
   double mass_floor = 0.4;             ///< grains smaller than this share of L_S carry the mass of that size
   double step_fraction = 0.15;         ///< share of sqrt(m/K) taken as the step
   double most_damping_ratio = 0;       ///< contacts damped beyond this share of critical count as damped by it; 0 = as given
-  double inertial_number = 1e-2;       ///< sets the axial strain rate of the stress test
+  double inertial_number = 1e-2;       ///< sets the axial strain rate of the stress test, and the plate's speed
   double axial_strain = 0.20;          ///< end of the stress test
 
   bool operator==(const Numerics&) const = default;
@@ -50,6 +53,7 @@ struct StageSpec {
   Numerics numerics;
   std::uint64_t seed = 1;
   double confining_stress = 0;         ///< sigma3 [Pa], stress stages only
+  PlateSize plate;                     ///< penetration stages only
 
   bool operator==(const StageSpec&) const = default;
 };
@@ -61,6 +65,7 @@ inline bool needs_bed(StageKind kind) { return kind != StageKind::kSettle; }
 inline StageSpec parent_of(StageSpec spec) {
   spec.kind = StageKind::kSettle;
   spec.confining_stress = 0;
+  spec.plate = {};
   return spec;
 }
 

@@ -144,7 +144,8 @@ bool has_results(const ResultTable& table, const std::string& response) {
 
 bool is_primary(std::string_view response) {
   return response == "contacts_per_particle" || response == "bulk_density" || response == "void_ratio" ||
-         response == "repose_angle" || response.starts_with("sigma1_at_sigma3_");
+         response == "repose_angle" || response.starts_with("sigma1_at_sigma3_") ||
+         response.starts_with("penetration_force_0.25_0.50_plate_");
 }
 
 Result<ResponseAnalysis> analyse_range(const ResultTable& table, const std::string& response) {

@@ -11,10 +11,15 @@ std::vector<std::string> factor_columns(const Design& design) {
   return lines;
 }
 
+std::size_t stages_per_run(const Design& design) {
+  return 2 + (design.repose ? 1 : 0) + design.confining_stresses.size() + design.plates.size();
+}
+
 std::vector<std::string> test_names(const Design& design) {
   std::vector<std::string> names{"settle", "contacts", "density"};
   if (design.repose) names.emplace_back("repose");
   if (!design.confining_stresses.empty()) names.emplace_back("stress");
+  if (!design.plates.empty()) names.emplace_back("penetration");
   return names;
 }
 

@@ -40,6 +40,7 @@ struct Design {
   std::vector<std::uint64_t> seeds;          ///< every point is run with each of them
   bool repose = false;                       ///< settling and the fabric measurement are always done
   std::vector<double> confining_stresses;    ///< sigma3 of the stress tests [Pa], ascending; empty = none
+  std::vector<PlateSize> plates;             ///< of the penetration test, thin ones first; empty = none
   std::map<std::string, std::string> fixed;  ///< what does not vary, as shown: "gravity" -> "1.63 m/s2"
   std::vector<std::string> notes;            ///< worth reading before it runs
 };
@@ -47,7 +48,10 @@ struct Design {
 /// "theta_F: 4 levels, column 1", one line per factor.
 std::vector<std::string> factor_columns(const Design& design);
 
-/// {"settle", "contacts", "density", "repose", "stress"} as far as asked for.
+/// Of each point and seed.
+std::size_t stages_per_run(const Design& design);
+
+/// {"settle", "contacts", "density", "repose", "stress", "penetration"} as far as asked for.
 std::vector<std::string> test_names(const Design& design);
 
 }  // namespace regolab

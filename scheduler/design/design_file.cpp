@@ -151,9 +151,10 @@ void check_distinct(const Design& design, Place place, Report& report) {
   }
 }
 
-void check_boxes(const std::vector<DesignPoint>& points, Place place, Report& report) {
+template <class Check>
+void check_points(const std::vector<DesignPoint>& points, Place place, Check check, Report& report) {
   for (const DesignPoint& point : points) {
-    const std::string problem = box_problem({point.micro, point.numerics});
+    const std::string problem = check(Settings{point.micro, point.numerics});
     if (problem.empty()) continue;
     report.add(place, "point " + std::to_string(point.point) + ": " + problem);
     return;  // one is enough: the others say the same
@@ -252,10 +253,12 @@ Read<Design> read_design(const DesignFiles& files, const DesignOverrides& overri
     design.seeds = std::move(seeds);
     design.repose = tests.repose;
     design.confining_stresses = std::move(tests.confining_stresses);
+    design.plates = std::move(tests.plates);
     check_distinct(design, place_of_key(*root, "array"), report);
-    check_boxes(design.points, place_of_key(*root, "box"), report);
-    const std::size_t stages =
-        design.points.size() * design.seeds.size() * (2 + (design.repose ? 1 : 0) + design.confining_stresses.size());
+    check_points(design.points, place_of_key(*root, "box"), box_problem, report);
+    const auto fits = [&](const Settings& settings) { return plate_problem(settings, design.plates); };
+    check_points(design.points, place_of_key(*root, "penetration"), fits, report);
+    const std::size_t stages = design.points.size() * design.seeds.size() * stages_per_run(design);
     if (stages > kMostStages) {
       report.add({}, "the study has " + std::to_string(stages) + " stages (at most " + std::to_string(kMostStages) +
                          ") use fewer points, seeds or tests");

@@ -10,6 +10,7 @@ namespace {
 
 constexpr std::string_view kSigma3Mark = "_at_sigma3_";
 constexpr std::string_view kCompressed = "void_ratio_compressed_";
+constexpr std::string_view kPlateMark = "_plate_";
 
 /// "1.25kPa", whole pascals, as in the observation ids.
 std::string kpa(double pascal) { return number_text(std::round(pascal) / 1000) + "kPa"; }
@@ -35,19 +36,27 @@ void add_stress(std::vector<TableResponse>& responses, double stress) {
   responses.push_back({std::string(kCompressed) + kpa(stress), "1"});
 }
 
+void add_penetration(std::vector<TableResponse>& responses, const PlateSize& plate) {
+  const std::string of = std::string(kPlateMark) + plate_text(plate);
+  responses.push_back({"penetration_force_0.00_0.25" + of, "N"});
+  responses.push_back({"penetration_work" + of, "J"});
+}
+
 }  // namespace
 
 std::vector<StageSpec> expand(const Design& design, const DesignPoint& point, std::uint64_t seed) {
   const StageSpec settle{.kind = StageKind::kSettle, .micro = point.micro, .numerics = point.numerics, .seed = seed};
-  const auto on_bed = [&](StageKind kind, double stress) {
+  const auto on_bed = [&](StageKind kind, double stress, const PlateSize& plate = {}) {
     StageSpec spec = settle;
     spec.kind = kind;
     spec.confining_stress = stress;
+    spec.plate = plate;
     return spec;
   };
   std::vector<StageSpec> stages{settle, on_bed(StageKind::kFabric, 0)};
   if (design.repose) stages.push_back(on_bed(StageKind::kRepose, 0));
   for (const double stress : design.confining_stresses) stages.push_back(on_bed(StageKind::kStress, stress));
+  for (const PlateSize& plate : design.plates) stages.push_back(on_bed(StageKind::kPenetration, 0, plate));
   return stages;
 }
 
@@ -69,12 +78,16 @@ std::vector<TableResponse> responses_of(const Design& design) {
   for (const double stress : design.confining_stresses) {
     responses.push_back({"sigma1" + std::string(kSigma3Mark) + kpa(stress), "Pa"});
   }
+  for (const PlateSize& plate : design.plates) {
+    responses.push_back({"penetration_force_0.25_0.50" + std::string(kPlateMark) + plate_text(plate), "N"});
+  }
   add_fabric(responses, false);
   if (design.repose) {
     responses.insert(responses.end(),
                      {{"repose_angle_whole", "rad"}, {"repose_angle_wedge", "rad"}, {"repose_column_stood", "1"}});
   }
   for (const double stress : design.confining_stresses) add_stress(responses, stress);
+  for (const PlateSize& plate : design.plates) add_penetration(responses, plate);
   return responses;
 }
 
@@ -85,10 +98,13 @@ ResponseSource source_of(const std::string& response) {
     double kilopascal = 0;
     const std::string_view digits = std::string_view(response).substr(at + mark.size());
     std::from_chars(digits.data(), digits.data() + digits.size(), kilopascal);
-    return {StageKind::kStress, kilopascal * 1e3};
+    return {StageKind::kStress, kilopascal * 1e3, {}};
   }
-  if (response.starts_with("repose")) return {StageKind::kRepose, 0};
-  return {StageKind::kFabric, 0};
+  if (const std::size_t at = response.find(kPlateMark); at != std::string::npos) {
+    return {StageKind::kPenetration, 0, response.substr(at + kPlateMark.size())};
+  }
+  if (response.starts_with("repose")) return {StageKind::kRepose, 0, {}};
+  return {StageKind::kFabric, 0, {}};
 }
 
 ResultTable empty_table(const Design& design, const std::string& experiment) {

@@ -9,7 +9,8 @@
 
 namespace regolab {
 
-/// The stages of one point and seed: settle first, then fabric, repose (if asked for) and one stress stage per sigma3.
+/// The stages of one point and seed: settle first, then fabric, repose (if asked for), one stress stage per sigma3, one
+/// penetration stage per plate.
 /// All but the first start from the first one's bed (parent_of).
 std::vector<StageSpec> expand(const Design& design, const DesignPoint& point, std::uint64_t seed);
 
@@ -19,10 +20,11 @@ std::vector<StageSpec> expand(const Design& design);
 /// The responses the study will fill, primary ones first (is_primary), with SI units.
 std::vector<TableResponse> responses_of(const Design& design);
 
-/// The stage kind (and sigma3, for stress stages [Pa]) that measures a response of responses_of.
+/// The stage kind (and sigma3, for stress stages [Pa], or plate_text of the plate) that measures a response of responses_of.
 struct ResponseSource {
   StageKind kind = StageKind::kFabric;
   double confining_stress = 0;
+  std::string plate;
 };
 ResponseSource source_of(const std::string& response);
 

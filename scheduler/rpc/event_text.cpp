@@ -10,7 +10,8 @@ namespace {
 std::string headline(const StageSpec& spec, const StageResult& result) {
   const std::string_view wanted = spec.kind == StageKind::kFabric   ? "bulk_density"
                                   : spec.kind == StageKind::kRepose ? "repose_angle"
-                                                                    : "sigma1_at_sigma3_";
+                                  : spec.kind == StageKind::kPenetration ? "penetration_force_0.25_0.50_plate_"
+                                                                         : "sigma1_at_sigma3_";
   for (const Measurement& m : result.measurements) {
     if (!m.id.starts_with(wanted) || spec.kind == StageKind::kSettle) continue;
     const DoorUnit door = door_unit(m.unit);
@@ -22,6 +23,7 @@ std::string headline(const StageSpec& spec, const StageResult& result) {
 }  // namespace
 
 std::string stage_text(const StageSpec& spec) {
+  if (spec.kind == StageKind::kPenetration) return "penetration " + plate_text(spec.plate);
   if (spec.kind != StageKind::kStress) return std::string(name_of(spec.kind));
   return fmt::format("stress {:.4g} kPa", spec.confining_stress * 1e-3);
 }

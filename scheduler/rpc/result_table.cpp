@@ -38,7 +38,8 @@ std::string reason_of(const StoredStage& stage) {
 
 bool measures(const StageSpec& spec, const ResponseSource& source) {
   return spec.kind == source.kind &&
-         (spec.kind != StageKind::kStress || std::abs(spec.confining_stress - source.confining_stress) < 1);
+         (spec.kind != StageKind::kStress || std::abs(spec.confining_stress - source.confining_stress) < 1) &&
+         (spec.kind != StageKind::kPenetration || plate_text(spec.plate) == source.plate);
 }
 
 std::string missing_why(const std::vector<const StoredStage*>& stages, const std::string& response) {

@@ -65,7 +65,7 @@ Submission prepare(const v1::SubmitRequest& request) {
   for (const Diagnostic& diagnostic : read.diagnostics) out.diagnostics.push_back(to_proto(diagnostic));
   if (!read.ok()) return out;
   const Design& design = *read.value;
-  const std::size_t per_point = design.seeds.size() * (2 + (design.repose ? 1 : 0) + design.confining_stresses.size());
+  const std::size_t per_point = design.seeds.size() * stages_per_run(design);
   if (design.points.size() > kMostPoints || design.points.size() * per_point > kMostStages) {
     refuse(out, request,
            "the study has " + std::to_string(design.points.size()) + " points and " +

@@ -27,6 +27,7 @@ StageSpec small_stage(StageKind kind) {
   spec.numerics.axial_strain = 0.06;
   spec.numerics.inertial_number = 2e-2;
   if (kind == StageKind::kStress) spec.confining_stress = 2500;
+  if (kind == StageKind::kPenetration) spec.plate = {.width = 0.005, .thickness = 0.003};
   return spec;
 }
 
@@ -115,8 +116,8 @@ TEST_P(Stage, RefusesADamagedOrForeignCheckpoint) {
   EXPECT_FALSE(run_stage(other, bed(), checkpoint, {}).ok());
 }
 
-INSTANTIATE_TEST_SUITE_P(SettleReposeStress, Stage,
-                         testing::Values(StageKind::kSettle, StageKind::kRepose, StageKind::kStress));
+INSTANTIATE_TEST_SUITE_P(SettleReposeStressPenetration, Stage,
+                         testing::Values(StageKind::kSettle, StageKind::kRepose, StageKind::kStress, StageKind::kPenetration));
 
 TEST(Fabric, IsAPureFunctionOfTheBed) {
   const StageSpec spec = small_stage(StageKind::kFabric);

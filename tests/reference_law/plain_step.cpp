@@ -53,7 +53,26 @@ struct Gap {
   double distance;
   bool at_edge = false;
 };
+/// The nearest place of a cuboid, or the shortest of the six ways out.
+Gap from_plate(const dem::Walls& walls, const Vec3& p) {
+  const Vec3 centre{walls.plate.x, walls.plate.y, walls[dem::kPlate].position}, low = centre - walls.plate.half,
+             high = centre + walls.plate.half;
+  Vec3 nearest;
+  int beyond = 0;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    nearest[axis] = std::clamp(p[axis], low[axis], high[axis]);
+    beyond += nearest[axis] != p[axis];
+  }
+  if (beyond > 0) return {(1 / norm(p - nearest)) * (p - nearest), norm(p - nearest), beyond > 1};
+  Gap out{{0, 0, 0}, -1e300};
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    if (low[axis] - p[axis] > out.distance) out = {{0, 0, 0}, low[axis] - p[axis]}, out.normal[axis] = -1;
+    if (p[axis] - high[axis] > out.distance) out = {{0, 0, 0}, p[axis] - high[axis]}, out.normal[axis] = 1;
+  }
+  return out;
+}
 Gap from_wall(const dem::Walls& walls, int id, const Vec3& p) {
+  if (id == dem::kPlate) return from_plate(walls, p);
   if (id == dem::kFloor && std::isfinite(walls.floor_end)) {  // a block: all that is left of its end and below its top
     const Vec3 nearest{std::min(p[0], walls.floor_end), p[1], std::min(p[2], walls[id].position)};
     const Vec3 away = p - nearest;
@@ -89,7 +108,7 @@ void add_pairs(const World& world, const PlainLaw& law, const std::vector<Sphere
 }
 
 void add_walls(const World& world, const PlainLaw& law, const std::vector<Sphere>& spheres, const Springs& before, PlainForces& out) {
-  for (int id = 0; id < dem::kWalls; ++id) {
+  for (int id = 0; id < dem::kWallIds; ++id) {
     for (int i = 0; i < world.spheres.count(); ++i) {
       const Sphere& a = spheres[at(i)];
       if (!world.walls[id].present || world.bodies.is_fixed(a.body)) continue;
@@ -99,7 +118,7 @@ void add_walls(const World& world, const PlainLaw& law, const std::vector<Sphere
       PlainContact c{.body_a = a.body, .normal = gap.normal, .overlap = overlap, .at_edge = gap.at_edge};
       c.arm_a = a.centre - gap.distance * gap.normal - position(world, a.body);
       Vec3 wall_velocity{0, 0, 0};
-      wall_velocity[at(id / 2)] = world.walls[id].velocity;
+      wall_velocity[id == dem::kPlate ? 2 : at(id / 2)] = world.walls[id].velocity;
       c.answer = plain_contact(law, world.dt,
                                {.normal = c.normal,
                                 .overlap = overlap,
@@ -112,6 +131,7 @@ void add_walls(const World& world, const PlainLaw& law, const std::vector<Sphere
       out.wall_force[id] += push;
       out.wall_shear[id] += norm(c.answer.force - push * c.normal);
       ++out.wall_contacts[id];
+      if (id == dem::kPlate) out.on_plate = out.on_plate - c.answer.force;
     }
   }
 }

@@ -13,7 +13,7 @@ struct PlainContact {
   int body_a = 0, body_b = -1;  ///< b is -1 at a wall
   Vec3 normal, arm_a{}, arm_b{};  ///< arms from each centre of mass to the contact point [m]
   double overlap = 0;
-  bool at_edge = false;         ///< of a floor that ends
+  bool at_edge = false;         ///< of a floor that ends, or of the plate
   PlainAnswer answer;
 };
 
@@ -29,8 +29,9 @@ Springs springs_of(const World& world);
 struct PlainForces {
   std::map<Pair, PlainContact> pairs, walls;
   std::vector<Vec3> force, torque;  // [bodies] torque about the centre of mass
-  double wall_force[dem::kWalls] = {}, wall_shear[dem::kWalls] = {};
-  int wall_contacts[dem::kWalls] = {};
+  double wall_force[dem::kWallIds] = {}, wall_shear[dem::kWallIds] = {};
+  int wall_contacts[dem::kWallIds] = {};
+  Vec3 on_plate{};
 };
 
 /// At the present positions and velocities of `world`, with the springs of the step before.

@@ -1,4 +1,4 @@
-/// Whole steps beside their plain twin: a heap that slides off the end of its floor, every contact and every cluster, with each width
+/// Whole steps beside their plain twin: a heap that slides off the end of its floor, a plate in it, every contact and every cluster, with each width
 /// of the hot loops that the processor has.
 #include <gtest/gtest.h>
 
@@ -15,12 +15,22 @@ namespace {
 
 constexpr double kStiffness = 1e4, kFriction = 0.4;
 
+/// A plate over the heap that went down into it.
+void push_in_plate(World& world) {
+  world.walls.plate = {.x = 0.012, .y = 0.02, .half = {0.006, 0.002, 0.02}};
+  world.walls[dem::kPlate] = {.present = true, .position = 0.06, .velocity = -4, .friction = 0.3};
+  world.lists_stale = true;
+  while (world.walls[dem::kPlate].position > 0.024) run(world, 10);
+  world.walls[dem::kPlate].velocity = -0.3;
+}
+
 /// A swarm that fell (fast: heavy gravity saves steps), and then half of its floor goes, a wall closes in and one cluster is held.
 World heap(const PlainLaw& law) {
   World world = swarm({.clusters = 120, .seed = 8, .speed = 0.3, .friction = kFriction, .damping = 0.3, .gravity = 500});
   world.law = engine_law(law, kFriction);
   world.dt = dem::stable_step(world, 0.1);
   run(world, 12000);
+  push_in_plate(world);
   world.walls.floor_end = 0.02;
   world.walls[dem::kFront].velocity = 0.5;
   world.walls[dem::kRight].friction = 0;
@@ -36,7 +46,7 @@ struct Comparison {
   double load = 0, torque = 0;                 ///< [N], [N m]
   double wall = 0;                             ///< [N]
   int missing = 0, wrong_counts = 0;
-  int pairs = 0, walls = 0, edges = 0, sliding = 0, sticking = 0, would_pull = 0, capped = 0, with_spring = 0;
+  int pairs = 0, walls = 0, edges = 0, at_plate = 0, plate_edges = 0, sliding = 0, sticking = 0, would_pull = 0, capped = 0, with_spring = 0;
 };
 
 void raise(double& most, double value) { most = std::max(most, std::isfinite(value) ? value : 1e300); }
@@ -64,7 +74,10 @@ void compare(const std::vector<dem::Contact>& fast, bool walls, const std::map<P
   for (const auto& [pair, p] : plain) {
     plainly += p.overlap > kBarely;
     ++(walls ? seen.walls : seen.pairs);
-    seen.edges += p.at_edge;
+    const bool plate = walls && pair.first == dem::kPlate;
+    seen.at_plate += plate;
+    seen.plate_edges += plate && p.at_edge;
+    seen.edges += !plate && p.at_edge;
     ++(p.answer.slides ? seen.sliding : seen.sticking);
     seen.would_pull += p.answer.would_pull;
     seen.capped += p.answer.capped;
@@ -81,7 +94,8 @@ void compare(const World& world, const PlainForces& plain, Comparison& seen) {
     raise(seen.load, norm(force - plain.force[i]));
     raise(seen.torque, norm(about_origin - cross(position(world, static_cast<int>(i)), force) - plain.torque[i]));
   }
-  for (int id = 0; id < dem::kWalls; ++id) {
+  raise(seen.wall, norm(world.walls.plate.force - plain.on_plate));
+  for (int id = 0; id < dem::kWallIds; ++id) {
     raise(seen.wall, std::abs(world.walls[id].force - plain.wall_force[id]));
     raise(seen.wall, std::abs(world.walls[id].shear - plain.wall_shear[id]));
     seen.wrong_counts += world.walls[id].contacts != plain.wall_contacts[id];
@@ -116,6 +130,8 @@ void expect_enough(const Comparison& seen, bool caps) {
   EXPECT_GT(seen.pairs, 500);
   EXPECT_GT(seen.walls, 500);
   EXPECT_GT(seen.edges, 20);
+  EXPECT_GT(seen.at_plate, 100);
+  EXPECT_GT(seen.plate_edges, 5);
   EXPECT_GT(seen.sliding, 300);
   EXPECT_GT(seen.sticking, 300);
   EXPECT_GT(seen.would_pull, 10);
@@ -127,7 +143,7 @@ std::string text_of(const Comparison& seen) {
   std::ostringstream text;
   text << "largest differences: force " << seen.force << " N, spring " << seen.spring << " m, geometry " << seen.geometry << ", load "
        << seen.load << " N, torque " << seen.torque << " N m, wall " << seen.wall << " N; pairs " << seen.pairs << ", at walls "
-       << seen.walls << ", at the edge " << seen.edges << ", sliding " << seen.sliding << ", sticking " << seen.sticking
+       << seen.walls << ", at the edge " << seen.edges << ", at the plate " << seen.at_plate << ", at its edges " << seen.plate_edges << ", sliding " << seen.sliding << ", sticking " << seen.sticking
        << ", would pull " << seen.would_pull << ", capped " << seen.capped;
   return text.str();
 }

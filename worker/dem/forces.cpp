@@ -75,9 +75,11 @@ REGOLAB_INLINE void measure_pairs(const ForceInput& in, const Slots& s, Block& b
   });
 }
 
-/// The walls as records: inward normal and its offset from the origin; velocity and friction.
+/// The walls as records: inward normal and its offset from the origin; velocity and friction. The plate has no one normal: zeros.
 struct WallRecords {
-  explicit WallRecords(const Walls& walls) : floor_ends(std::isfinite(walls.floor_end)), end(walls.floor_end), top(walls[kFloor].position) {
+  explicit WallRecords(const Walls& walls)
+      : floor_ends(std::isfinite(walls.floor_end)), has_plate(walls[kPlate].present), end(walls.floor_end), top(walls[kFloor].position),
+        plate_at{walls.plate.x, walls.plate.y, walls[kPlate].position}, plate_half(walls.plate.half) {
     for (int id = 0; id < kWalls; ++id) {
       const Vec3 n = normal_of(id);
       Quad &p = plane[id], &m = motion[id];
@@ -86,10 +88,13 @@ struct WallRecords {
       m.v[axis_of(id)] = walls[id].velocity;
       m.v[3] = walls[id].friction;
     }
+    motion[kPlate].v[2] = walls[kPlate].velocity;
+    motion[kPlate].v[3] = walls[kPlate].friction;
   }
-  Quad plane[kWalls], motion[kWalls];
-  bool floor_ends;
-  double end, top;  ///< of a floor that ends [m]
+  Quad plane[kWallIds], motion[kWallIds];
+  bool floor_ends, has_plate;
+  double end, top;             ///< of a floor that ends [m]
+  Vec3 plate_at, plate_half;   ///< centre and half edges [m]
 };
 
 template <class P>
@@ -109,15 +114,49 @@ REGOLAB_INLINE FromWall<P> from_block(const WallRecords& walls, const Triple<P>&
           select(at_edge, edge, select(at_face, dx, dz))};
 }
 
+/// One axis of the plate: which side of its middle, and how far beyond its face.
+template <class P>
+struct BesidePlate {
+  P side, beyond;
+};
+template <class P>
+REGOLAB_INLINE BesidePlate<P> beside_plate(const P& at, double centre, double half) {
+  const P from_centre = at - centre, one = pack_of<P>(1.0);
+  const auto low = from_centre < 0.0;
+  return {select(low, -one, one), select(low, -from_centre, from_centre) - half};
+}
+
+/// Outside a cuboid the nearest place lies on a face, an edge or a corner; from inside the way out is through the nearest face.
+template <class P>
+REGOLAB_INLINE FromWall<P> from_plate(const WallRecords& walls, const Triple<P>& at) {
+  const P zero{}, one = pack_of<P>(1.0);
+  const auto x = beside_plate(at.x, walls.plate_at[0], walls.plate_half[0]), y = beside_plate(at.y, walls.plate_at[1], walls.plate_half[1]),
+             z = beside_plate(at.z, walls.plate_at[2], walls.plate_half[2]);
+  const Triple<P> out{select(x.beyond > zero, x.beyond, zero), select(y.beyond > zero, y.beyond, zero),
+                      select(z.beyond > zero, z.beyond, zero)};
+  const P distance = root(dot(out, out)), per = select(distance > zero, distance, one);
+  const auto outside = (x.beyond > zero) | (y.beyond > zero) | (z.beyond > zero);
+  const auto face_x = (x.beyond >= y.beyond) & (x.beyond >= z.beyond), face_y = y.beyond >= z.beyond;
+  const Triple<P> face{select(face_x, x.side, zero), select(face_x, zero, select(face_y, y.side, zero)),
+                       select(face_x, zero, select(face_y, zero, z.side))};
+  return {{select(outside, x.side * out.x / per, face.x), select(outside, y.side * out.y / per, face.y),
+           select(outside, z.side * out.z / per, face.z)},
+          select(outside, distance, select(face_x, x.beyond, select(face_y, y.beyond, z.beyond)))};
+}
+
+template <class P, class Mask>
+REGOLAB_INLINE FromWall<P> chosen(const Mask& which, const FromWall<P>& yes, const FromWall<P>& no) {
+  return {{select(which, yes.n.x, no.n.x), select(which, yes.n.y, no.n.y), select(which, yes.n.z, no.n.z)},
+          select(which, yes.distance, no.distance)};
+}
+
 template <class P>
 REGOLAB_INLINE FromWall<P> from_wall(const WallRecords& walls, const std::int32_t* id, const Triple<P>& at) {
   const auto plane = gathered<P>([&](int l) REGOLAB_INLINE_LAMBDA { return walls.plane[id[l]].v; });
-  const FromWall<P> flat{plane.xyz, dot(plane.xyz, at) - plane.fourth};
-  if (!walls.floor_ends) return flat;
-  const FromWall<P> block = from_block(walls, at);
-  const auto floor = plane.xyz.z > 0.0;
-  return {{select(floor, block.n.x, flat.n.x), select(floor, block.n.y, flat.n.y), select(floor, block.n.z, flat.n.z)},
-          select(floor, block.distance, flat.distance)};
+  FromWall<P> gap{plane.xyz, dot(plane.xyz, at) - plane.fourth};
+  if (walls.floor_ends) gap = chosen(plane.xyz.z > 0.0, from_block(walls, at), gap);
+  if (walls.has_plate) gap = chosen(dot(plane.xyz, plane.xyz) > 0.0, gap, from_plate(walls, at));
+  return gap;
 }
 
 template <class P>
@@ -247,12 +286,16 @@ REGOLAB_HOT(void, press_walls, (const ForceInput& in, const Walls& walls, Stretc
 
 void sum_wall_forces(const Slots& slots, Walls& walls) {
   for (Wall& wall : walls.wall) wall.force = wall.shear = 0.0, wall.contacts = 0;
+  walls.plate.force = {};
   for (std::size_t k = 0; k < slots.count; ++k) {
     if (slots.normal[k] == kApart) continue;
     Wall& wall = walls[slots.second[k]];
     wall.force += slots.normal[k];
     wall.shear += slots.shear[k];
     ++wall.contacts;
+    if (slots.second[k] != kPlate) continue;
+    Vec3& on_plate = walls.plate.force;
+    on_plate[0] -= slots.fx[k], on_plate[1] -= slots.fy[k], on_plate[2] -= slots.fz[k];
   }
 }
 

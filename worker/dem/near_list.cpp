@@ -65,9 +65,9 @@ void list_near_walls(const Bodies& bodies, const Spheres& spheres, const Centres
   for (std::size_t i = 0; i < bodies.x.size(); ++i) {
     if (bodies.gone[i] || bodies.inverse_mass[i] == 0.0) continue;
     const double margin = margins.margin[i] + wall_margin;
-    std::array<int, kWalls> near{};
+    std::array<int, kWallIds> near{};
     std::size_t n_near = 0;
-    for (int id = 0; id < kWalls; ++id) {
+    for (int id = 0; id < kWallIds; ++id) {
       if (!walls[id].present) continue;
       if (wall_distance(walls, id, {bodies.x[i], bodies.y[i], bodies.z[i]}).distance - bodies.reach[i] <= margin) near[n_near++] = id;
     }

@@ -49,7 +49,7 @@ void renew_margins(World& w) {
   w.margins.path.assign(w.bodies.x.size(), 0.0);
   w.margins.anything_swings = std::any_of(w.bodies.swing.begin(), w.bodies.swing.end(), [](double swing) { return swing > 0; });
   double fastest = 0;
-  for (std::size_t id = 0; id < kWalls; ++id) {
+  for (std::size_t id = 0; id < kWallIds; ++id) {
     w.walls_at_refresh[id] = w.walls.wall[id].position;
     fastest = std::max(fastest, std::abs(w.walls.wall[id].velocity));
   }

@@ -34,7 +34,7 @@ struct World {
   Lasting near_lists{.steps = 30, .low = 4, .high = 500};
   Lasting pair_lists{.steps = 300, .low = 50, .high = 5000};
   double wall_margin = 0;    ///< [m]
-  std::array<double, kWalls> walls_at_refresh{};  ///< [m]
+  std::array<double, kWallIds> walls_at_refresh{};  ///< [m]
   Slots near_pairs, near_walls;
   Balls balls;
   Crossings crossings;
@@ -43,6 +43,7 @@ struct World {
   Springs pair_springs, wall_springs;  ///< between two sets of slots, and in checkpoints
   std::int64_t list_builds = 0, refreshes = 0, refreshes_at_build = 0;
 
+  /// Without the plate: see Walls.
   template <class A>
   void archive(A& ar) {
     if constexpr (!A::kLoading) hold_springs();

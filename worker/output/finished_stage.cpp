@@ -7,15 +7,17 @@ namespace regolab {
 std::vector<StageSpec> stages_of(const Job& job) {
   const StageSpec settle{.kind = StageKind::kSettle, .micro = job.micro, .numerics = job.numerics, .seed = job.seed};
   std::vector<StageSpec> stages{settle};
-  const auto add = [&](StageKind kind, double confining_stress) {
+  const auto add = [&](StageKind kind, double confining_stress, const PlateSize& plate = {}) {
     StageSpec spec = settle;
     spec.kind = kind;
     spec.confining_stress = confining_stress;
+    spec.plate = plate;
     stages.push_back(spec);
   };
   add(StageKind::kFabric, 0);
   if (job.repose) add(StageKind::kRepose, 0);
   for (const double sigma3 : job.confining_stresses) add(StageKind::kStress, sigma3);
+  for (const PlateSize& plate : job.plates) add(StageKind::kPenetration, 0, plate);
   return stages;
 }
 

@@ -17,10 +17,10 @@ struct FinishedStage {
   double wall_s = 0;
 };
 
-/// The stages of a job in the order they run: settle, fabric, repose, stress by confining stress as the file lists them.
+/// The stages of a job in the order they run: settle, fabric, repose, stress by confining stress, penetration by plate.
 std::vector<StageSpec> stages_of(const Job& job);
 
-/// For people: "settle", "fabric", "repose", "stress".
+/// For people: "settle", "fabric", "repose", "stress", "penetration".
 std::string stage_name(StageKind kind);
 
 /// One name for the whole job: the SHA-256 of its stages' keys.

@@ -65,10 +65,15 @@ Json job_json(const Job& job) {
   Json tests = Json::array({"settle"});
   if (job.repose) tests.push_back("repose");
   if (!job.confining_stresses.empty()) tests.push_back("stress");
+  if (!job.plates.empty()) tests.push_back("penetration");
   Json sigma3 = Json::array();
   for (const double stress : job.confining_stresses) sigma3.push_back(quantity(stress, "Pa"));
-  return {{"profile", job.profile},         {"seed", job.seed},          {"micro", micro_json(job.micro)},
-          {"numerics", numerics_json(job)}, {"tests", std::move(tests)}, {"sigma3", std::move(sigma3)}};
+  Json json{{"profile", job.profile},         {"seed", job.seed},          {"micro", micro_json(job.micro)},
+            {"numerics", numerics_json(job)}, {"tests", std::move(tests)}, {"sigma3", std::move(sigma3)}};
+  for (const PlateSize& plate : job.plates) {
+    json["plates"].push_back({{"width", quantity(plate.width, "m")}, {"thickness", quantity(plate.thickness, "m")}});
+  }
+  return json;
 }
 
 }  // namespace regolab

@@ -55,7 +55,7 @@ Result<JobRun> run_job(const Job& job, const StageStore& store, const JobHooks& 
         run.interrupted = true;
         return run;
       }
-      const bool pictured = place.spec.kind == StageKind::kRepose;
+      const bool pictured = place.spec.kind == StageKind::kRepose || place.spec.kind == StageKind::kPenetration;
       kept =
           KeptStage{{place.spec, std::move(output->result), output->steps, output->wall_s},
                     needs_bed(place.spec.kind) ? (pictured ? std::move(output->final_state) : "") : std::move(output->bed)};

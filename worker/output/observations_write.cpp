@@ -73,6 +73,13 @@ void nominal_protocol(YAML::Emitter& out, const Job& job) {
     for (const double sigma3 : job.confining_stresses) rates.push_back(stated_strain_rate(job, sigma3));
     list(out, "stated_strain_rate_1_per_s", rates, 1.0);
   }
+  if (!job.plates.empty()) {
+    text(out, "penetration", "rough plate pushed down at a constant speed, edge first, in the middle of the settled bed to half its depth");
+    std::vector<double> widths, thicknesses;
+    for (const PlateSize& plate : job.plates) widths.push_back(plate.width), thicknesses.push_back(plate.thickness);
+    list(out, "plate_width_cm", widths, door_unit("m").factor);
+    list(out, "plate_thickness_cm", thicknesses, door_unit("m").factor);
+  }
   out << YAML::EndMap;
 }
 

@@ -28,7 +28,8 @@ Result<void> write_pictures(const fs::path& directory, const JobRun& run, const 
     const auto view = view_bed(kept.state);
     if (!view) return view.error();
     const bool settled = kept.stage.spec.kind == StageKind::kSettle;
-    const std::string name = settled ? "bed" : stage_name(kept.stage.spec.kind);
+    std::string name = settled ? "bed" : stage_name(kept.stage.spec.kind);
+    if (kept.stage.spec.kind == StageKind::kPenetration) name += "_" + plate_text(kept.stage.spec.plate);
     if (auto written = write_whole_file(directory / (name + ".vtp"), bed_vtp(*view)); !written) return written;
     if (auto written = write_whole_file(directory / (name + ".xyz"), bed_xyz(*view)); !written) return written;
     if (!settled) continue;

@@ -34,6 +34,7 @@ std::string place_text(const StagePlace& place) {
   std::string text = stage_name(place.spec.kind);
   if (place.spec.kind == StageKind::kStress)
     text += " at " + shortest_text(shown_value(place.spec.confining_stress, 1e-3)) + " kPa";
+  if (place.spec.kind == StageKind::kPenetration) text += " of " + plate_text(place.spec.plate);
   return text;
 }
 

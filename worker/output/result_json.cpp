@@ -86,6 +86,7 @@ std::optional<StageEnd> end_named(std::string_view name) {
 Json stage_to_json(const FinishedStage& stage) {
   Json json{{"stage", stage_name(stage.spec.kind)}, {"stage_key", stage_key(stage.spec)}};
   if (stage.spec.kind == StageKind::kStress) json["sigma3_Pa"] = stage.spec.confining_stress;
+  if (stage.spec.kind == StageKind::kPenetration) json["plate"] = plate_text(stage.spec.plate);
   json["end"] = name_of(stage.result.end);
   json["reason"] = stage.result.reason;
   json["steps"] = stage.steps;

@@ -1,7 +1,7 @@
 /// What a run of a job leaves in DIR/.checkpoint while it lasts, so that a killed run goes on where it stopped.
 ///   job                 which job this folder belongs to
 ///   <stage_key>.json    a finished stage; written after its state, so that it vouches for it
-///   <stage_key>.state   the settled bed, or the last state of a repose stage
+///   <stage_key>.state   the settled bed, or the last state of a repose or penetration stage
 ///   <stage_key>.partial the latest checkpoint of the stage that was running
 ///   lock                held while a run works in the folder
 #pragma once

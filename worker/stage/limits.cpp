@@ -50,6 +50,14 @@ std::string breach_of(const StageSpec& spec) {
   if (spec.kind == StageKind::kStress && !(spec.confining_stress >= 1 && spec.confining_stress <= 1e6)) {
     return outside({"confining_stress", spec.confining_stress, 1, 1e6});
   }
+  if (spec.kind == StageKind::kPenetration) {  // beside the plate a cluster of mean size still finds room
+    const double room = 2 * 0.6 * largest;
+    const Limit edges[] = {{"plate_width", spec.plate.width, 1e-5, base.length - room},
+                           {"plate_thickness", spec.plate.thickness, 1e-5, base.width - room}};
+    for (const Limit& edge : edges) {
+      if (!(edge.value >= edge.low && edge.value <= edge.high)) return outside(edge);
+    }
+  }
   return {};
 }
 

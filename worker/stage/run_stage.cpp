@@ -5,6 +5,7 @@
 
 #include "vocab/canonical.h"
 #include "worker/protocol/fabric.h"
+#include "worker/protocol/penetration.h"
 #include "worker/protocol/repose.h"
 #include "worker/protocol/settle.h"
 #include "worker/protocol/stress.h"
@@ -22,6 +23,7 @@ std::unique_ptr<protocol::Test> make_test(const StageSpec& spec, protocol::Bed b
   switch (spec.kind) {
     case StageKind::kSettle: return std::make_unique<protocol::Settle>(std::move(bed), spec.seed);
     case StageKind::kRepose: return std::make_unique<protocol::Repose>(std::move(bed));
+    case StageKind::kPenetration: return std::make_unique<protocol::Penetration>(std::move(bed), spec);
     default: return std::make_unique<protocol::Stress>(std::move(bed), spec);
   }
 }

@@ -64,6 +64,21 @@ TEST(Responses, OnlyWhatIsMeasured) {
   EXPECT_EQ(responses_of(design)[3].id, "sigma1_at_sigma3_3.3kPa");
 }
 
+TEST(Penetration, IsAStagePerPlateOnTheSameBedWithResponsesThatNameThePlate) {
+  Design design = article();
+  design.plates = {{.width = 0.03, .thickness = 0.003}, {.width = 0.03, .thickness = 0.01}};
+  const std::vector<StageSpec> stages = expand(design, design.points[6], 2);
+  ASSERT_EQ(stages.size(), stages_per_run(design));
+  EXPECT_EQ(stages.back().kind, StageKind::kPenetration);
+  EXPECT_EQ(stages.back().plate, design.plates[1]);
+  EXPECT_EQ(parent_of(stages.back()), stages[0]);
+  EXPECT_EQ(responses_of(design)[9].id, "penetration_force_0.25_0.50_plate_30x10mm");
+  for (const char* id : {"penetration_force_0.00_0.25_plate_30x3mm", "penetration_work_plate_30x3mm"}) {
+    EXPECT_EQ(source_of(id).kind, StageKind::kPenetration);
+    EXPECT_EQ(source_of(id).plate, "30x3mm");
+  }
+}
+
 TEST(EmptyTable, HasARowPerPointAndSeed) {
   const Design design = article();
   const ResultTable table = empty_table(design, "E1");

@@ -68,6 +68,23 @@ TEST(JobFile, OnlyTheTestsAskedFor) {
   EXPECT_THAT(job.confining_stresses, IsEmpty());
 }
 
+TEST(JobFile, PlatesOfThePenetrationTestAreTheArticlesUnlessSaid) {
+  const std::string box = "box: {length: 8 cm, width: 8 cm}\n";
+  EXPECT_THAT(good("tests: [penetration]\n" + box + kMicro).plates,
+              ElementsAre(PlateSize{0.03, 0.003}, PlateSize{0.03, 0.005}, PlateSize{0.03, 0.01}));
+  EXPECT_THAT(good("tests: [penetration]\npenetration: {plates: [1 cm, 2 mm], width: 25 mm}\n" + box + kMicro).plates,
+              ElementsAre(PlateSize{0.025, 0.002}, PlateSize{0.025, 0.01}));
+  EXPECT_THAT(good("penetration: {plates: [2 mm]}\n" + kMicro).plates, IsEmpty()) << "not among the tests";
+  EXPECT_THAT(good(kMicro).plates, IsEmpty());
+}
+
+TEST(JobFile, ReadsThePenetrationExample) {
+  const Job job = good(testing_support::read_file(REGOLAB_SOURCE "/client/examples/penetration.yaml"));
+  EXPECT_EQ(job.plates.size(), 3u);
+  EXPECT_DOUBLE_EQ(job.micro.normal_stiffness, 3500);
+  EXPECT_FALSE(job.repose);
+}
+
 TEST(JobFile, PressuresAreSorted) {
   EXPECT_THAT(good("stress: {sigma3: [0.02 MPa, 500 Pa]}\n" + kMicro).confining_stresses, ElementsAre(500, 20000));
 }

@@ -49,6 +49,12 @@ StageResult result_of(const StageSpec& spec, std::uint64_t sum) {
       result.curves = {{id, "stress", "axial_strain", "1", "sigma1", "Pa", {0.0, 0.1}, {spec.confining_stress, number}}};
       break;
     }
+    case StageKind::kPenetration: {
+      const std::string plate = plate_text(spec.plate);
+      result.measurements = {{"penetration_force_0.25_0.50_plate_" + plate, 3.5, "N", 0.5, "mean force"}};
+      result.curves = {{"penetration_force_plate_" + plate, "penetration", "depth", "m", "force", "N", {0.00025, 0.00075}, {1.5, number}}};
+      break;
+    }
   }
   return result;
 }

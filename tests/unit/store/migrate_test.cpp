@@ -110,7 +110,7 @@ TEST_F(MigrateTest, AFileOfVersion1OpensWithItsJobsWhoseDashpotsStayAsGiven) {
   make_version_1();
   expect_the_old_job();
   Database db = raw();
-  EXPECT_EQ(number(db, kVersion), 2);
+  EXPECT_EQ(number(db, kVersion), kSchemaVersion);
   EXPECT_EQ(number(db, kNewColumn), 1);
 }
 
@@ -125,7 +125,7 @@ TEST_F(MigrateTest, ASecondOpenChangesNothing) {
   }
   expect_the_old_job();
   Database db = raw();
-  EXPECT_EQ(number(db, kVersion), 2);
+  EXPECT_EQ(number(db, kVersion), kSchemaVersion);
   EXPECT_EQ(number(db, kCookie), cookie);
   EXPECT_EQ(text(db, kSchemaText), schema);
 }
@@ -134,22 +134,29 @@ TEST_F(MigrateTest, AMigratedFileHasWhatANewOneHasAndTakesNewJobs) {
   make_version_1();
   StageSpec capped = test::stage(StageKind::kSettle, 8);
   capped.numerics.most_damping_ratio = 0.75;
+  StageSpec plate = test::stage(StageKind::kPenetration, 9);
+  plate.plate = {.width = 0.03, .thickness = 0.003};
   {
     auto store = Store::open(path);
     ASSERT_TRUE(store.ok()) << store.error().text;
     ASSERT_TRUE((*store)->begin().ok());
     ASSERT_TRUE((*store)->add_job({{JobId{4}, stage_key(capped), capped, {}}, {}}).ok());
+    const auto added = (*store)->add_job({{JobId{5}, stage_key(plate), plate, {}}, {}});
+    ASSERT_TRUE(added.ok()) << added.error().text;
     ASSERT_TRUE((*store)->commit().ok());
   }
   {
     auto store = Store::open(path);
     EXPECT_EQ((*store)->load()->jobs.at(1).identity.spec, capped);
+    EXPECT_EQ((*store)->load()->jobs.at(2).identity.spec, plate);
   }
   const char* columns = "SELECT group_concat(name || ' ' || type || ' ' || \"notnull\") FROM pragma_table_info('job')";
   const std::string fresh_path = dir / "fresh.db";
   ASSERT_TRUE(Store::open(fresh_path).ok());
   Database migrated = raw(), fresh = std::move(Database::open(fresh_path, Access::kWrite)).value();
   EXPECT_EQ(text(migrated, columns), text(fresh, columns));
+  EXPECT_FALSE(migrated.run("UPDATE job SET stage = 'dream'", "break the check").ok());
+  EXPECT_EQ(text(migrated, "PRAGMA integrity_check"), "ok");
   const char* parts = "SELECT group_concat(part) FROM (SELECT type || ' ' || name AS part FROM sqlite_schema ORDER BY part)";
   EXPECT_EQ(text(migrated, parts), text(fresh, parts));
 }
