@@ -1,8 +1,11 @@
 #include "scheduler/surrogate/fit.h"
 
+#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <memory>
+#include <optional>
 
 #include "scheduler/surrogate/curves.h"
 
@@ -81,45 +84,113 @@ bool by_logarithm(const std::string& response) {
   return response.starts_with("sigma1") || response.starts_with("E50") || response.starts_with("penetration_force");
 }
 
-Observations observations_of(const Dataset& data, const std::string& response, std::vector<std::size_t>& rows) {
-  rows.clear();
-  const bool logarithm = by_logarithm(response);
-  for (std::size_t i = 0; i < data.rows.size(); ++i) {
-    const auto found = data.rows[i].mean.find(response);
-    if (found != data.rows[i].mean.end() && (!logarithm || found->second.value > 0)) rows.push_back(i);
+namespace {
+
+/// "sigma1_at_sigma3_" and 2500 Pa of "sigma1_at_sigma3_2.5kPa", "void_ratio_compressed_2.5kPa"; empty without a stress at the end.
+std::optional<std::pair<std::string, double>> split(const std::string& id) {
+  const auto at = id.rfind('_');
+  if (at == std::string::npos || !id.ends_with("kPa")) return std::nullopt;
+  const std::string prefix = id.substr(0, at + 1);
+  const auto stress = confining_stress_of(id, prefix);
+  return stress ? std::optional(std::pair(prefix, *stress)) : std::nullopt;
+}
+
+/// Orthonormal polynomials in the logarithm of the stress: level, slope, curvature, ...
+Eigen::MatrixXd contrasts(const std::vector<double>& stress) {
+  const auto m = static_cast<Eigen::Index>(stress.size());
+  Eigen::MatrixXd powers(m, m);
+  for (Eigen::Index j = 0; j < m; ++j) {
+    for (Eigen::Index k = 0; k < m; ++k) powers(j, k) = std::pow(std::log(stress[static_cast<std::size_t>(j)] / stress[0]), static_cast<double>(k));
   }
-  const auto n = static_cast<Eigen::Index>(rows.size());
-  Observations out{Eigen::MatrixXd(n, n ? scaled_inputs(data.columns, data.rows[rows[0]].x).size() : 0), Eigen::VectorXd(n), Eigen::VectorXd(n)};
-  for (Eigen::Index i = 0; i < n; ++i) {
-    const DataRow& row = data.rows[rows[static_cast<std::size_t>(i)]];
-    const SeedMean& mean = row.mean.at(response);
-    out.x.row(i) = scaled_inputs(data.columns, row.x).transpose();
-    out.y[i] = logarithm ? std::log(mean.value) : mean.value;
-    out.seeds[i] = mean.seeds;
+  const Eigen::HouseholderQR<Eigen::MatrixXd> qr(powers);
+  return Eigen::MatrixXd(qr.householderQ());
+}
+
+double modelled(const DataRow& row, const std::string& response) {
+  const double value = row.mean.at(response).value;
+  return by_logarithm(response) ? std::log(value) : value;
+}
+
+bool holds(const DataRow& row, const std::vector<std::string>& members) {
+  return std::ranges::all_of(members, [&](const std::string& id) {
+    const auto found = row.mean.find(id);
+    return found != row.mean.end() && (!by_logarithm(id) || found->second.value > 0);
+  });
+}
+
+bool differs(const Dataset& data, const Family& family) {
+  const std::string& id = family.members.front();
+  return std::ranges::any_of(family.rows, [&](std::size_t r) { return modelled(data.rows[r], id) != modelled(data.rows[family.rows[0]], id); });
+}
+
+}  // namespace
+
+std::vector<Family> families_of(const Dataset& data) {
+  std::map<std::string, std::vector<std::pair<double, std::string>>> grouped;
+  for (const auto& [id, unit] : data.unit) {
+    if (!is_modelled(id)) continue;
+    if (const auto parts = split(id)) grouped[parts->first + "*"].emplace_back(parts->second, id);
+    else grouped[id].emplace_back(1.0, id);
+  }
+  std::vector<Family> out;
+  for (auto& [name, members] : grouped) {
+    std::ranges::sort(members);
+    Family family{.name = name, .members = {}, .contrast = {}, .rows = {}};
+    std::vector<double> stress;
+    for (const auto& [at, id] : members) stress.push_back(at), family.members.push_back(id);
+    family.contrast = contrasts(stress);
+    for (std::size_t i = 0; i < data.rows.size(); ++i) {
+      if (holds(data.rows[i], family.members)) family.rows.push_back(i);
+    }
+    if (family.rows.size() >= kFewestRows && differs(data, family)) out.push_back(std::move(family));
   }
   return out;
 }
 
-ResponseModel response_model(const Dataset& data, const std::string& response, const Hyperparameters& hyperparameters) {
-  std::vector<std::size_t> rows;
-  Observations observations = observations_of(data, response, rows);
-  ResponseModel model{.id = response,
-                      .unit = data.unit.at(response),
-                      .logarithm = by_logarithm(response),
-                      .rows = std::move(rows),
-                      .process = GaussianProcess(std::move(observations), hyperparameters),
-                      .skill = {}};
-  std::vector<Held> held;
-  const auto left_out = model.process.leave_groups_out(materials_of(data, model.rows));
-  for (std::size_t i = 0; i < left_out.size(); ++i) {
-    const auto k = static_cast<Eigen::Index>(i);
-    const auto& p = left_out[i];
-    const double noise = p.noise / model.process.observations().seeds[k];
-    held.push_back({model.process.observations().y[k], p.mean, kNormal90 * std::sqrt(p.variance + noise)});
+Observations observations_of(const Dataset& data, const Family& family, std::size_t k) {
+  const auto n = static_cast<Eigen::Index>(family.rows.size());
+  Observations out{Eigen::MatrixXd(n, scaled_inputs(data.columns, data.rows[family.rows[0]].x).size()), Eigen::VectorXd(n), Eigen::VectorXd(n)};
+  for (Eigen::Index i = 0; i < n; ++i) {
+    const DataRow& row = data.rows[family.rows[static_cast<std::size_t>(i)]];
+    out.x.row(i) = scaled_inputs(data.columns, row.x).transpose();
+    out.y[i] = 0;
+    for (std::size_t j = 0; j < family.members.size(); ++j) {
+      out.y[i] += family.contrast(static_cast<Eigen::Index>(j), static_cast<Eigen::Index>(k)) * modelled(row, family.members[j]);
+    }
+    out.seeds[i] = row.mean.at(family.members.front()).seeds;
   }
-  model.inflation = inflation_of(held);
-  model.skill = skill_of(held, model.logarithm, model.inflation);
-  return model;
+  return out;
+}
+
+std::vector<ResponseModel> response_models(const Dataset& data, const Family& family, const std::vector<Hyperparameters>& hyperparameters) {
+  std::vector<std::shared_ptr<const GaussianProcess>> processes;
+  std::vector<std::vector<GaussianProcess::Prediction>> left_out;  // [process][row]
+  const std::vector<int> materials = materials_of(data, family.rows);
+  for (std::size_t k = 0; k < family.members.size(); ++k) {
+    processes.push_back(std::make_shared<const GaussianProcess>(observations_of(data, family, k), hyperparameters.at(k)));
+    left_out.push_back(processes.back()->leave_groups_out(materials));
+  }
+  std::vector<ResponseModel> out;
+  for (std::size_t j = 0; j < family.members.size(); ++j) {
+    const std::string& id = family.members[j];
+    ResponseModel model{.id = id, .unit = data.unit.at(id), .logarithm = by_logarithm(id), .family = family.name, .weight = {}, .processes = processes, .skill = {}};
+    for (std::size_t k = 0; k < processes.size(); ++k) model.weight.push_back(family.contrast(static_cast<Eigen::Index>(j), static_cast<Eigen::Index>(k)));
+    std::vector<Held> held;
+    for (std::size_t i = 0; i < family.rows.size(); ++i) {
+      const DataRow& row = data.rows[family.rows[i]];
+      double mean = 0, variance = 0;
+      for (std::size_t k = 0; k < processes.size(); ++k) {
+        const auto& p = left_out[k][i];
+        mean += model.weight[k] * p.mean;
+        variance += model.weight[k] * model.weight[k] * (p.variance + p.noise / row.mean.at(id).seeds);
+      }
+      held.push_back({modelled(row, id), mean, kNormal90 * std::sqrt(variance)});
+    }
+    model.inflation = inflation_of(held);
+    model.skill = skill_of(held, model.logarithm, model.inflation);
+    out.push_back(std::move(model));
+  }
+  return out;
 }
 
 }  // namespace regolab::surrogate

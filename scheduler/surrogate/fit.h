@@ -1,17 +1,28 @@
-/// From a dataset to the observations of one response, and from left-out points to skill.
+/// From a dataset to the observations behind each process, and from left-out materials to skill.
 #pragma once
 #include "scheduler/surrogate/model.h"
 
 namespace regolab::surrogate {
 
+/// Responses that are modelled together: one property, or one at several confining stresses.
+struct Family {
+  std::string name;                 ///< "bulk_density", "sigma1_at_sigma3_*"
+  std::vector<std::string> members; ///< [m] ids, by stress
+  Eigen::MatrixXd contrast;         ///< [m][m] orthonormal: member j = sum over k of contrast(j, k) * process k
+  std::vector<std::size_t> rows;    ///< of the dataset, that hold every member
+};
+
+/// What the data hold often enough to be learned, in the order of names.
+std::vector<Family> families_of(const Dataset& data);
+
+/// What process k of a family is fitted to.
+Observations observations_of(const Dataset& data, const Family& family, std::size_t k);
+
+/// The members conditioned on the data with these hyperparameters [m]; inflation and skill from leaving out each material.
+std::vector<ResponseModel> response_models(const Dataset& data, const Family& family, const std::vector<Hyperparameters>& hyperparameters);
+
 /// Whether a response is modelled at all, and whether by its logarithm (stresses, moduli, forces: they scale, and are positive).
 bool is_modelled(const std::string& response);
 bool by_logarithm(const std::string& response);
-
-/// The rows that hold the response, in order; `rows` says which.
-Observations observations_of(const Dataset& data, const std::string& response, std::vector<std::size_t>& rows);
-
-/// The response conditioned on the data with these hyperparameters; inflation and skill from leaving out each point.
-ResponseModel response_model(const Dataset& data, const std::string& response, const Hyperparameters& hyperparameters);
 
 }  // namespace regolab::surrogate

@@ -17,7 +17,7 @@ struct Band {
 };
 
 Band band_of(const ResponseModel& response, const Eigen::VectorXd& x) {
-  const auto p = response.process.predict(x);
+  const auto p = response.predict(x);
   const double width = kNormal90 * response.inflation;
   return {p.mean, width * std::sqrt(p.variance), width * std::sqrt(p.variance + p.noise)};
 }
@@ -29,6 +29,17 @@ Estimate estimate_of(const std::string& id, const std::string& unit, bool logari
 }
 
 }  // namespace
+
+GaussianProcess::Prediction ResponseModel::predict(const Eigen::VectorXd& scaled) const {
+  GaussianProcess::Prediction out;
+  for (std::size_t k = 0; k < processes.size(); ++k) {
+    const auto p = processes[k]->predict(scaled);
+    out.mean += weight[k] * p.mean;
+    out.variance += weight[k] * weight[k] * p.variance;
+    out.noise += weight[k] * weight[k] * p.noise;
+  }
+  return out;
+}
 
 const ResponseModel* Model::find(const std::string& response) const {
   const auto found = std::ranges::find(responses, response, &ResponseModel::id);

@@ -1,6 +1,7 @@
 /// A surrogate: from the parameters of a material to its measured properties, with a band, in microseconds instead of a DEM run.
 #pragma once
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -30,14 +31,20 @@ struct Skill {
   double coverage = 0;          ///< share of held-out points inside their 90 % band
 };
 
+/// One property is one process. The values of a property at several confining stresses are a family: its processes are the level,
+/// slope, curvature ... over the logarithm of the stress, so that what they have in common is learned from all of them.
 struct ResponseModel {
   std::string id;
   std::string unit;
   bool logarithm = false;
   double inflation = 1;          ///< of the band, so that it covers 90 % of the points left out
-  std::vector<std::size_t> rows; ///< of the dataset, that hold this response
-  GaussianProcess process;
+  std::string family;            ///< "sigma1_at_sigma3_*", or the id
+  std::vector<double> weight;    ///< [n_processes] the response is their sum with these weights
+  std::vector<std::shared_ptr<const GaussianProcess>> processes;  ///< shared within a family
   Skill skill;                   ///< each material left out in turn
+
+  /// As modelled, that is of the logarithm where it is.
+  GaussianProcess::Prediction predict(const Eigen::VectorXd& scaled) const;
 };
 
 /// Stress-strain curves: the logarithms of sigma1 over strain and confining stress, in few principal components.

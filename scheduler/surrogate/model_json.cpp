@@ -32,7 +32,10 @@ Json body_of(const Model& model) {
     out["columns"].push_back({{"name", c.name}, {"labels", c.labels}, {"low", c.low}, {"high", c.high}});
   }
   for (const ResponseModel& r : model.responses) {
-    out["responses"].push_back({{"id", r.id}, {"unit", r.unit}, {"hyperparameters", hyper_json(r.process.hyperparameters())}});
+    out["responses"].push_back({{"id", r.id}, {"unit", r.unit}});
+    Json& family = out["families"][r.family];
+    if (!family.is_null()) continue;
+    for (const auto& process : r.processes) family.push_back(hyper_json(process->hyperparameters()));
   }
   if (model.curves) {
     for (const GaussianProcess& p : model.curves->processes) out["curves"].push_back(hyper_json(p.hyperparameters()));
@@ -72,8 +75,10 @@ Model model_from(const Json& in) {
     if (h.log_length.size() != width) throw std::out_of_range("hyperparameters do not fit the columns");
     return h;
   };
-  for (const Json& r : in.at("responses")) {
-    model.responses.push_back(response_model(model.data, r.at("id"), checked(r.at("hyperparameters"))));
+  for (const Family& family : families_of(model.data)) {
+    std::vector<Hyperparameters> kept;
+    for (const Json& j : in.at("families").at(family.name)) kept.push_back(checked(j));
+    for (ResponseModel& response : response_models(model.data, family, kept)) model.responses.push_back(std::move(response));
   }
   if (in.contains("curves")) {
     const Json& list = in.at("curves");

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <iterator>
 
 #include "scheduler/surrogate/curves.h"
 #include "scheduler/surrogate/fit.h"
@@ -8,29 +9,23 @@
 namespace regolab::surrogate {
 namespace {
 
-bool varies(const Observations& o) { return o.y.size() > 0 && o.y.maxCoeff() > o.y.minCoeff(); }
-
 Error stopped() { return {Code::kCancelled, "the training was stopped (the caller has gone) nothing was stored"}; }
 
 }  // namespace
 
 Result<Model> train(const std::string& name, Dataset data, const OnProgress& on_progress) {
-  std::vector<std::string> wanted;
-  for (const auto& [id, unit] : data.unit) {
-    std::vector<std::size_t> rows;
-    if (is_modelled(id) && varies(observations_of(data, id, rows)) && rows.size() >= kFewestRows) wanted.push_back(id);
-  }
-  if (wanted.empty()) {
+  const std::vector<Family> families = families_of(data);
+  if (families.empty()) {
     return Error{Code::kFailedPrecondition, "no response has " + std::to_string(kFewestRows) +
                                                 " points with different numbers (there is nothing to learn) run more points"};
   }
   Model model{.name = name, .physics_version = kPhysicsVersion, .data = std::move(data), .responses = {}, .curves = {}};
-  const int of = static_cast<int>(wanted.size()) + 1;
-  for (std::size_t k = 0; k < wanted.size(); ++k) {
-    if (on_progress && !on_progress(wanted[k], static_cast<int>(k), of)) return stopped();
-    std::vector<std::size_t> rows;
-    const auto fitted = fit_hyperparameters(observations_of(model.data, wanted[k], rows));
-    model.responses.push_back(response_model(model.data, wanted[k], fitted));
+  const int of = static_cast<int>(families.size()) + 1;
+  for (std::size_t f = 0; f < families.size(); ++f) {
+    if (on_progress && !on_progress(families[f].name, static_cast<int>(f), of)) return stopped();
+    std::vector<Hyperparameters> fitted;
+    for (std::size_t k = 0; k < families[f].members.size(); ++k) fitted.push_back(fit_hyperparameters(observations_of(model.data, families[f], k)));
+    std::ranges::move(response_models(model.data, families[f], fitted), std::back_inserter(model.responses));
   }
   if (on_progress && !on_progress("stress-strain curves", of - 1, of)) return stopped();
   model.curves = curve_model(model.data, [](Observations o, std::size_t) {
@@ -48,10 +43,16 @@ Result<Model> with_rows(const Model& model, const std::vector<Source>& sources) 
     if (!rows.ok()) return rows.error();
     out.data.rows.insert(out.data.rows.end(), rows->begin(), rows->end());
   }
-  for (ResponseModel& response : out.responses) {
-    const double inflation = response.inflation;  // of the points spread over the box; the new ones crowd around one material
-    response = response_model(out.data, response.id, response.process.hyperparameters());
-    response.inflation = inflation;
+  out.responses.clear();
+  for (const Family& family : families_of(out.data)) {
+    std::vector<Hyperparameters> kept;
+    const ResponseModel* before = model.find(family.members.front());
+    if (!before || before->family != family.name) continue;
+    for (const auto& process : before->processes) kept.push_back(process->hyperparameters());
+    for (ResponseModel& response : response_models(out.data, family, kept)) {
+      response.inflation = model.find(response.id)->inflation;  // of points spread over the box; the new ones crowd around one material
+      out.responses.push_back(std::move(response));
+    }
   }
   out.id = id_of(out);
   return out;

@@ -127,7 +127,8 @@ TEST(Model, TheShippedOneCanBeRecomputed) {
   ASSERT_NE(shipped, nullptr);
   const ResponseModel* density = shipped->find("bulk_density");
   ASSERT_NE(density, nullptr);
-  const Hyperparameters again = fit_hyperparameters(density->process.observations()), &kept = density->process.hyperparameters();
+  const GaussianProcess& process = *density->processes.front();
+  const Hyperparameters again = fit_hyperparameters(process.observations()), &kept = process.hyperparameters();
   EXPECT_EQ(again.log_length, kept.log_length);
   EXPECT_EQ(again.log_signal, kept.log_signal);
   EXPECT_EQ(again.log_noise, kept.log_noise);
