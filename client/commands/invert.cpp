@@ -18,8 +18,7 @@ namespace regolab::client {
 namespace {
 
 constexpr unsigned kSeeds = 4;  // of a confirmation
-constexpr int kScouts = 4;      // candidates run once before the best are confirmed
-constexpr int kFinalists = 2;
+constexpr int kFinalists = 2;   // run side by side: a design varies something
 
 struct Confirmation {
   std::vector<Confirmed> rounds;  ///< every candidate run, in order
@@ -37,7 +36,7 @@ Outcome read_target(const Arguments& arguments, pb::InvertRequest& request) {
   request.set_model(arguments.model);
   request.set_file_name(arguments.target);
   request.set_target_yaml(text.str());
-  request.set_candidates(arguments.confirm ? std::max<unsigned>(arguments.candidates, kScouts) : arguments.candidates);
+  request.set_candidates(std::max<unsigned>(arguments.candidates, arguments.confirm ? kFinalists : 1));
   return done();
 }
 
@@ -70,29 +69,29 @@ std::string confirmed_text(const pb::InvertReply& reply, const Confirmed& c) {
   return text;
 }
 
-/// Scouts first, then the most probable ones with several seeds, until one meets every target on average or the budget is spent.
+/// The two most probable with several seeds, learned from, and the next two, until one meets every target on average or the budget
+/// is spent; the last round has as many seeds as are left.
 Outcome confirm(const Arguments& arguments, pb::InvertRequest request, pb::InvertReply& reply, Session& session, Console& console, Confirmation& out) {
-  const unsigned seeds = arguments.seeds == 0 ? kSeeds : arguments.seeds, each = runs_of_one(reply);
-  for (bool scouting = true;; scouting = false) {
-    const int candidates = std::min(scouting ? kScouts : kFinalists, reply.candidates_size());
-    const unsigned cost = each * static_cast<unsigned>(candidates) * (scouting ? 1 : seeds);
-    if (out.runs + cost > arguments.budget || candidates < 2) break;
-    console.err << fmt::format("{}: {} materials x {} seed{}, {} DEM runs ({} of {} spent)\n", scouting ? "scouting" : "confirming", candidates, scouting ? 1 : seeds,
-                               scouting || seeds == 1 ? "" : "s", cost, out.runs, arguments.budget);
+  const int candidates = std::min(kFinalists, reply.candidates_size());
+  const unsigned per_seed = runs_of_one(reply) * static_cast<unsigned>(candidates);
+  while (!out.met) {
+    const unsigned seeds = std::min(arguments.seeds == 0 ? kSeeds : arguments.seeds, (arguments.budget - out.runs) / per_seed);
+    if (seeds < std::min(2u, arguments.seeds == 0 ? kSeeds : arguments.seeds)) break;
+    console.err << fmt::format("confirming: {} materials x {} seed{}, {} DEM runs ({} of {} spent)\n", candidates, seeds, seeds == 1 ? "" : "s", seeds * per_seed,
+                               out.runs, arguments.budget);
     std::string experiment;
     std::vector<Confirmed> round;
-    if (auto ran = run_round(arguments, reply, candidates, scouting ? 1 : seeds, session, console, experiment, round); !ran.ok()) return ran;
-    out.runs += cost;
+    if (auto ran = run_round(arguments, reply, candidates, seeds, session, console, experiment, round); !ran.ok()) return ran;
+    out.runs += seeds * per_seed;
     for (const Confirmed& one : round) console.err << confirmed_text(reply, one);
     out.rounds.insert(out.rounds.end(), round.begin(), round.end());
-    out.met = !scouting && std::ranges::any_of(round, [](const Confirmed& c) { return c.miss <= 1; });
-    if (out.met) break;
+    out.met = std::ranges::any_of(round, [](const Confirmed& c) { return c.miss <= 1; });
     request.add_experiments(experiment);
+    if (out.met) break;
     if (auto again = session.lab->invert(request, reply); !again.ok()) return session.explain(again);
   }
   for (const Confirmed& one : out.rounds) {
-    const bool better = !out.best || std::pair(-one.seeds, one.miss) < std::pair(-out.best->seeds, out.best->miss);
-    if (better) out.best = &one;
+    if (!out.best || one.miss < out.best->miss) out.best = &one;
   }
   return done();
 }
@@ -148,7 +147,7 @@ Outcome invert(const Arguments& arguments, Console& console) {
     hint(arguments, console, "invert " + arguments.target + " --confirm");
     return done();
   }
-  return confirmation.met ? done() : failed(Exit::kTrialsFailed, fmt::format("no material met the targets within {} DEM runs (see the nearest above) widen a tolerance, or raise --budget", confirmation.runs));
+  return confirmation.met ? done() : failed(Exit::kTrialsFailed, fmt::format("no material met the targets within {} DEM runs (see the nearest above; runs of one material scatter, too) widen a tolerance, or raise --budget or --seeds", confirmation.runs));
 }
 
 }  // namespace regolab::client

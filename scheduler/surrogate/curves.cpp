@@ -1,6 +1,6 @@
 #include "scheduler/surrogate/curves.h"
 
-#include <Eigen/SVD>
+#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <charconv>
 #include <cmath>
@@ -67,7 +67,7 @@ std::optional<CurveModel> curve_model(const Dataset& data, const std::function<G
     auto list = logarithms(row, model.sigma3);
     if (list.empty()) continue;
     logs.push_back(std::move(list));
-    inputs.push_back(scaled_inputs(data.columns, row.x));
+    inputs.push_back(features_of(data.columns, row.x));
     seeds.push_back(row.mean.at(sample_id(model.sigma3.front(), 0)).seeds);
   }
   if (logs.size() < kFewestRows) return std::nullopt;
@@ -82,11 +82,11 @@ std::optional<CurveModel> curve_model(const Dataset& data, const std::function<G
   }
   model.mean = y.colwise().mean().transpose();
   y.rowwise() -= model.mean.transpose();
-  const Eigen::JacobiSVD<Eigen::MatrixXd> svd(y, Eigen::ComputeThinV);
-  const Eigen::VectorXd power = svd.singularValues().array().square();
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> axes(y.transpose() * y);
+  const Eigen::VectorXd power = axes.eigenvalues().reverse();
   Eigen::Index kept = 1;
   while (kept < std::min(kMostComponents, power.size()) && power.head(kept).sum() < kShareKept * power.sum()) ++kept;
-  model.components = svd.matrixV().leftCols(kept);
+  model.components = axes.eigenvectors().rightCols(kept).rowwise().reverse();
   const Eigen::MatrixXd scores = y * model.components;
   model.residual = ((y - scores * model.components.transpose()).array().square().colwise().sum() / static_cast<double>(n)).sqrt().transpose();
   for (Eigen::Index c = 0; c < kept; ++c) {

@@ -177,7 +177,7 @@ Result<Dataset> dataset_of(const std::vector<Source>& sources) {
   return data;
 }
 
-Eigen::VectorXd scaled_inputs(const std::vector<InputColumn>& columns, const std::vector<double>& x) {
+Eigen::VectorXd features_of(const std::vector<InputColumn>& columns, const std::vector<double>& x) {
   std::vector<double> out;
   for (std::size_t c = 0; c < columns.size(); ++c) {
     const InputColumn& column = columns[c];
@@ -190,13 +190,24 @@ Eigen::VectorXd scaled_inputs(const std::vector<InputColumn>& columns, const std
   return Eigen::Map<const Eigen::VectorXd>(out.data(), static_cast<Eigen::Index>(out.size()));
 }
 
+namespace {
+
+/// A curve's point scatters by per cents: six digits keep the model's file small.
+double six_digits(double value) {
+  if (!(std::abs(value) > 0)) return value;
+  const double unit = std::pow(10, 5 - std::floor(std::log10(std::abs(value))));
+  return std::round(value * unit) / unit;
+}
+
+}  // namespace
+
 CurveSamples sampled(const std::vector<double>& strain, const std::vector<double>& stress) {
   CurveSamples out;
   for (std::size_t i = 0; i < std::min(strain.size(), stress.size()) && out.size() <= kStrainSteps; ++i) {
     for (double wanted = 0.01 * static_cast<double>(out.size()); out.size() <= kStrainSteps && strain[i] >= wanted - 1e-12;
          wanted = 0.01 * static_cast<double>(out.size())) {
       const double share = i == 0 || strain[i] == wanted ? 1 : (wanted - strain[i - 1]) / (strain[i] - strain[i - 1]);
-      out.push_back(i == 0 ? stress[0] : stress[i - 1] + share * (stress[i] - stress[i - 1]));
+      out.push_back(six_digits(i == 0 ? stress[0] : stress[i - 1] + share * (stress[i] - stress[i - 1])));
     }
   }
   if (out.size() <= kStrainSteps) out.clear();

@@ -61,7 +61,7 @@ Result<std::vector<DataRow>> rows_of(const Source& source, const std::vector<Inp
 Result<double> input_value(const std::string& name, const std::string& text, const std::string& unit = {});
 
 /// Inputs of a surrogate: numbers to [0, 1] over the data's range, choices one-hot.
-Eigen::VectorXd scaled_inputs(const std::vector<InputColumn>& columns, const std::vector<double>& x);
+Eigen::VectorXd features_of(const std::vector<InputColumn>& columns, const std::vector<double>& x);
 
 /// Interpolates a curve onto the strain grid; empty when it ends before.
 CurveSamples sampled(const std::vector<double>& strain, const std::vector<double>& stress);

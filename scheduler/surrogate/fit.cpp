@@ -12,8 +12,8 @@
 namespace regolab::surrogate {
 namespace {
 
-constexpr std::string_view kModelled[] = {"contacts_per_particle", "bulk_density",  "void_ratio", "core_density", "repose_angle",
-                                          "sigma1_at_sigma3_",     "sigma1_peak_at", "E50_at",    "penetration_force"};
+constexpr std::string_view kModelled[] = {"contacts_per_particle", "bulk_density", "void_ratio", "core_density", "repose_angle"};
+constexpr std::string_view kModelledFamilies[] = {"sigma1_at_sigma3_", "sigma1_peak_at", "E50_at", "penetration_"};
 
 struct Held {
   double measured, predicted, half_width;  // as modelled, before inflation
@@ -77,11 +77,12 @@ double inflation_of(const std::vector<Held>& held) {
 
 bool is_modelled(const std::string& response) {
   return response.find('@') == std::string::npos &&
-         std::ranges::any_of(kModelled, [&](std::string_view known) { return response.starts_with(known); });
+         (std::ranges::find(kModelled, response) != std::end(kModelled) ||
+          std::ranges::any_of(kModelledFamilies, [&](std::string_view known) { return response.starts_with(known); }));
 }
 
 bool by_logarithm(const std::string& response) {
-  return response.starts_with("sigma1") || response.starts_with("E50") || response.starts_with("penetration_force");
+  return response.starts_with("sigma1") || response.starts_with("E50") || response.starts_with("penetration_");
 }
 
 namespace {
@@ -149,10 +150,10 @@ std::vector<Family> families_of(const Dataset& data) {
 
 Observations observations_of(const Dataset& data, const Family& family, std::size_t k) {
   const auto n = static_cast<Eigen::Index>(family.rows.size());
-  Observations out{Eigen::MatrixXd(n, scaled_inputs(data.columns, data.rows[family.rows[0]].x).size()), Eigen::VectorXd(n), Eigen::VectorXd(n)};
+  Observations out{Eigen::MatrixXd(n, features_of(data.columns, data.rows[family.rows[0]].x).size()), Eigen::VectorXd(n), Eigen::VectorXd(n)};
   for (Eigen::Index i = 0; i < n; ++i) {
     const DataRow& row = data.rows[family.rows[static_cast<std::size_t>(i)]];
-    out.x.row(i) = scaled_inputs(data.columns, row.x).transpose();
+    out.x.row(i) = features_of(data.columns, row.x).transpose();
     out.y[i] = 0;
     for (std::size_t j = 0; j < family.members.size(); ++j) {
       out.y[i] += family.contrast(static_cast<Eigen::Index>(j), static_cast<Eigen::Index>(k)) * modelled(row, family.members[j]);
@@ -164,33 +165,38 @@ Observations observations_of(const Dataset& data, const Family& family, std::siz
 
 std::vector<ResponseModel> response_models(const Dataset& data, const Family& family, const std::vector<Hyperparameters>& hyperparameters) {
   std::vector<std::shared_ptr<const GaussianProcess>> processes;
-  std::vector<std::vector<GaussianProcess::Prediction>> left_out;  // [process][row]
-  const std::vector<int> materials = materials_of(data, family.rows);
   for (std::size_t k = 0; k < family.members.size(); ++k) {
     processes.push_back(std::make_shared<const GaussianProcess>(observations_of(data, family, k), hyperparameters.at(k)));
-    left_out.push_back(processes.back()->leave_groups_out(materials));
   }
   std::vector<ResponseModel> out;
   for (std::size_t j = 0; j < family.members.size(); ++j) {
     const std::string& id = family.members[j];
     ResponseModel model{.id = id, .unit = data.unit.at(id), .logarithm = by_logarithm(id), .family = family.name, .weight = {}, .processes = processes, .skill = {}};
     for (std::size_t k = 0; k < processes.size(); ++k) model.weight.push_back(family.contrast(static_cast<Eigen::Index>(j), static_cast<Eigen::Index>(k)));
+    out.push_back(std::move(model));
+  }
+  return out;
+}
+
+void judge(const Dataset& data, const Family& family, std::vector<ResponseModel>& members) {
+  std::vector<std::vector<GaussianProcess::Prediction>> left_out;  // [process][row]
+  const std::vector<int> materials = materials_of(data, family.rows);
+  for (const auto& process : members.front().processes) left_out.push_back(process->leave_groups_out(materials));
+  for (ResponseModel& model : members) {
     std::vector<Held> held;
     for (std::size_t i = 0; i < family.rows.size(); ++i) {
       const DataRow& row = data.rows[family.rows[i]];
       double mean = 0, variance = 0;
-      for (std::size_t k = 0; k < processes.size(); ++k) {
+      for (std::size_t k = 0; k < left_out.size(); ++k) {
         const auto& p = left_out[k][i];
         mean += model.weight[k] * p.mean;
-        variance += model.weight[k] * model.weight[k] * (p.variance + p.noise / row.mean.at(id).seeds);
+        variance += model.weight[k] * model.weight[k] * (p.variance + p.noise / row.mean.at(model.id).seeds);
       }
-      held.push_back({modelled(row, id), mean, kNormal90 * std::sqrt(variance)});
+      held.push_back({modelled(row, model.id), mean, kNormal90 * std::sqrt(variance)});
     }
     model.inflation = inflation_of(held);
     model.skill = skill_of(held, model.logarithm, model.inflation);
-    out.push_back(std::move(model));
   }
-  return out;
 }
 
 }  // namespace regolab::surrogate

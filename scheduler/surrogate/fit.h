@@ -18,8 +18,10 @@ std::vector<Family> families_of(const Dataset& data);
 /// What process k of a family is fitted to.
 Observations observations_of(const Dataset& data, const Family& family, std::size_t k);
 
-/// The members conditioned on the data with these hyperparameters [m]; inflation and skill from leaving out each material.
+/// The members conditioned on the data with these hyperparameters [m]; not judged yet.
 std::vector<ResponseModel> response_models(const Dataset& data, const Family& family, const std::vector<Hyperparameters>& hyperparameters);
+/// Inflation and skill, from leaving out each material.
+void judge(const Dataset& data, const Family& family, std::vector<ResponseModel>& members);
 
 /// Whether a response is modelled at all, and whether by its logarithm (stresses, moduli, forces: they scale, and are positive).
 bool is_modelled(const std::string& response);

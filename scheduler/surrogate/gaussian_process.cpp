@@ -31,31 +31,37 @@ Standardised standardise(const VectorXd& y) {
 
 double matern(double r) { return (1 + kRoot5 * r + 5.0 / 3.0 * r * r) * std::exp(-kRoot5 * r); }
 
-double distance(const VectorXd& a, const VectorXd& b, const VectorXd& inverse_length) {
-  return ((a - b).array() * inverse_length.array()).matrix().norm();
-}
-
-double trend(const VectorXd& a, const VectorXd& b) { return 1 + 4 * (a.array() - 0.5).matrix().dot((b.array() - 0.5).matrix()); }
-
 VectorXd inverse_lengths(const std::vector<double>& log_length) {
   VectorXd out(static_cast<Index>(log_length.size()));
   for (Index j = 0; j < out.size(); ++j) out[j] = std::exp(-log_length[static_cast<std::size_t>(j)]);
   return out;
 }
 
+/// Points as columns, so that a pair is two stretches of memory: in units of the lengths, and from the middle of the box.
+struct Columns {
+  MatrixXd scaled, centred;  // [n_inputs][n]
+};
+Columns columns_of(const MatrixXd& x, const VectorXd& inverse_length) {
+  return {(x * inverse_length.asDiagonal()).transpose(), (x.array() - 0.5).matrix().transpose()};
+}
+double trend(const Columns& c, Index i, Index j) { return 1 + 4 * c.centred.col(i).dot(c.centred.col(j)); }
+
+/// Distances between all points, by one product: what cancels there is far below what the smooth kernel feels.
+MatrixXd distances(const MatrixXd& scaled) {
+  const VectorXd square = scaled.colwise().squaredNorm().transpose();
+  MatrixXd r2 = -2.0 * (scaled.transpose() * scaled);
+  r2.colwise() += square;
+  r2.rowwise() += square.transpose();
+  return r2.cwiseMax(0.0).cwiseSqrt();
+}
+
 MatrixXd covariance(const Observations& data, const Hyperparameters& h) {
-  const Index n = data.x.rows();
-  const VectorXd inverse = inverse_lengths(h.log_length);
+  const Columns at = columns_of(data.x, inverse_lengths(h.log_length));
   const double signal = std::exp(h.log_signal), slope = std::exp(h.log_trend), noise = std::exp(h.log_noise);
-  MatrixXd k(n, n);
-  for (Index i = 0; i < n; ++i) {
-    const VectorXd xi = data.x.row(i);
-    for (Index j = 0; j <= i; ++j) {
-      const VectorXd xj = data.x.row(j);
-      k(i, j) = k(j, i) = signal * matern(distance(xi, xj, inverse)) + slope * trend(xi, xj);
-    }
-    k(i, i) += noise / data.seeds[i] + kJitter;
-  }
+  const Eigen::ArrayXXd r = distances(at.scaled).array();
+  MatrixXd k = signal * (1 + kRoot5 * r + 5.0 / 3.0 * r.square()) * (-kRoot5 * r).exp();
+  k.array() += slope * (1 + 4 * (at.centred.transpose() * at.centred).array());
+  k.diagonal().array() += noise / data.seeds.array() + kJitter;
   return k;
 }
 
@@ -74,20 +80,18 @@ std::pair<double, double> prior_of(std::size_t i, std::size_t d) {
 void add_likelihood_gradient(const Observations& data, const Hyperparameters& h, const MatrixXd& inverse_k, const VectorXd& a,
                              std::vector<double>& gradient) {
   const Index n = data.x.rows(), d = data.x.cols();
-  const VectorXd inverse = inverse_lengths(h.log_length);
+  const Columns at = columns_of(data.x, inverse_lengths(h.log_length));
   const double signal = std::exp(h.log_signal), slope = std::exp(h.log_trend), noise = std::exp(h.log_noise);
-  VectorXd by_length = VectorXd::Zero(d);
+  VectorXd by_length = VectorXd::Zero(d), gap(d);
   double by_signal = 0, by_trend = 0, by_noise = 0;
   for (Index i = 0; i < n; ++i) {
-    const VectorXd xi = data.x.row(i);
     for (Index j = 0; j <= i; ++j) {
-      const VectorXd xj = data.x.row(j);
       const double weight = (i == j ? 0.5 : 1.0) * (a[i] * a[j] - inverse_k(i, j));
-      const VectorXd gap = (xi - xj).array() * inverse.array();
+      gap = at.scaled.col(i) - at.scaled.col(j);
       const double r = gap.norm(), decay = std::exp(-kRoot5 * r);
       by_signal += weight * signal * (1 + kRoot5 * r + 5.0 / 3.0 * r * r) * decay;
-      by_trend += weight * slope * trend(xi, xj);
-      by_length += (weight * signal * 5.0 / 3.0 * (1 + kRoot5 * r) * decay) * gap.array().square().matrix();
+      by_trend += weight * slope * trend(at, i, j);
+      by_length.array() += (weight * signal * 5.0 / 3.0 * (1 + kRoot5 * r) * decay) * gap.array().square();
     }
     by_noise += 0.5 * (a[i] * a[i] - inverse_k(i, i)) * noise / data.seeds[i];
   }
@@ -156,6 +160,8 @@ GaussianProcess::GaussianProcess(Observations observations, Hyperparameters hype
     : data_(std::move(observations)), hyper_(std::move(hyperparameters)) {
   const Standardised s = standardise(data_.y);
   centre_ = s.centre, scale_ = s.scale;
+  Columns at = columns_of(data_.x, inverse_lengths(hyper_.log_length));
+  scaled_ = std::move(at.scaled), centred_ = std::move(at.centred);
   const Eigen::LLT<MatrixXd> factor(covariance(data_, hyper_));
   lower_ = factor.matrixL();
   weights_ = factor.solve(s.y);
@@ -163,15 +169,14 @@ GaussianProcess::GaussianProcess(Observations observations, Hyperparameters hype
 
 GaussianProcess::Prediction GaussianProcess::predict(const VectorXd& x) const {
   const Index n = data_.x.rows();
-  const VectorXd inverse = inverse_lengths(hyper_.log_length);
+  const VectorXd scaled = x.array() * inverse_lengths(hyper_.log_length).array(), centred = x.array() - 0.5;
   const double signal = std::exp(hyper_.log_signal), slope = std::exp(hyper_.log_trend);
   VectorXd k(n);
   for (Index i = 0; i < n; ++i) {
-    const VectorXd xi = data_.x.row(i);
-    k[i] = signal * matern(distance(x, xi, inverse)) + slope * trend(x, xi);
+    k[i] = signal * matern((scaled_.col(i) - scaled).norm()) + slope * (1 + 4 * centred_.col(i).dot(centred));
   }
   const VectorXd v = lower_.triangularView<Eigen::Lower>().solve(k);
-  const double variance = std::max(0.0, signal + slope * trend(x, x) - v.squaredNorm());
+  const double variance = std::max(0.0, signal + slope * (1 + 4 * centred.squaredNorm()) - v.squaredNorm());
   return {centre_ + scale_ * k.dot(weights_), scale_ * scale_ * variance, scale_ * scale_ * std::exp(hyper_.log_noise)};
 }
 

@@ -46,6 +46,7 @@ class GaussianProcess {
   double centre_ = 0, scale_ = 1;  // of y
   Eigen::VectorXd weights_;        // K^-1 (y - centre) / scale
   Eigen::MatrixXd lower_;          // Cholesky factor of K
+  Eigen::MatrixXd scaled_, centred_;  // [n_inputs][n] in units of the lengths; from the middle of the box
 };
 
 /// Hyperparameters of largest posterior probability, from fixed starts: the same data give the same bits. Lengths have a broad

@@ -31,7 +31,7 @@ struct Search {
 
   std::vector<Estimate> estimates(const std::vector<double>& x) const {
     std::vector<Estimate> out;
-    const Eigen::VectorXd scaled = scaled_inputs(model.data.columns, x);
+    const Eigen::VectorXd scaled = features_of(model.data.columns, x);
     for (const Target& target : question.targets) {
       out.push_back(target.sigma3 > 0 ? *model.sigma1_at(x, target.sigma3) : model.predict_one(*model.find(target.response), scaled));
     }

@@ -51,7 +51,7 @@ Estimate Model::predict_one(const ResponseModel& r, const Eigen::VectorXd& scale
 }
 
 std::vector<Estimate> Model::predict(const std::vector<double>& x) const {
-  const Eigen::VectorXd scaled = scaled_inputs(data.columns, x);
+  const Eigen::VectorXd scaled = features_of(data.columns, x);
   std::vector<Estimate> out;
   for (const ResponseModel& r : responses) out.push_back(predict_one(r, scaled));
   return out;
@@ -71,7 +71,7 @@ std::optional<Estimate> Model::sigma1_at(const std::vector<double>& x, double si
   if (known.empty() || sigma3 < known.front().sigma3 - slack || sigma3 > known.back().sigma3 + slack) return std::nullopt;
   std::size_t k = 0;
   while (k + 2 < known.size() && known[k + 1].sigma3 < sigma3) ++k;
-  const Eigen::VectorXd scaled = scaled_inputs(data.columns, x);
+  const Eigen::VectorXd scaled = features_of(data.columns, x);
   const Band a = band_of(*known[k].response, scaled);
   if (known.size() == 1) return estimate_of(known[0].response->id, "Pa", true, a);
   const Band b = band_of(*known[k + 1].response, scaled);
@@ -85,7 +85,7 @@ std::optional<Estimate> Model::sigma1_at(const std::vector<double>& x, double si
 std::vector<Estimate> Model::curve_at(const std::vector<double>& x, double sigma3) const {
   if (!curves) return {};
   std::vector<Estimate> out;
-  const auto at = curves_at(*curves, scaled_inputs(data.columns, x), sigma3);
+  const auto at = curves_at(*curves, features_of(data.columns, x), sigma3);
   for (std::size_t k = 0; k < at.size(); ++k) {
     const Band band{at[k].mean, kNormal90 * at[k].of_mean, kNormal90 * at[k].of_run};
     out.push_back(estimate_of("sigma1_at_strain_" + std::to_string(k) + "percent", "Pa", true, band));

@@ -11,14 +11,15 @@
 namespace regolab::surrogate {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using Json = nlohmann::ordered_json;  // to write: keys as they stand here
+using Parsed = nlohmann::json;          // to read: keys found fast
 constexpr std::string_view kFormat = "regolab.model/1";
 
 Json hyper_json(const Hyperparameters& h) {
   return {{"log_length", h.log_length}, {"log_signal", h.log_signal}, {"log_trend", h.log_trend}, {"log_noise", h.log_noise}};
 }
 
-Hyperparameters hyper_of(const Json& j) {
+Hyperparameters hyper_of(const Parsed& j) {
   return {.log_length = j.at("log_length").get<std::vector<double>>(),
           .log_signal = j.at("log_signal"),
           .log_trend = j.at("log_trend"),
@@ -32,7 +33,9 @@ Json body_of(const Model& model) {
     out["columns"].push_back({{"name", c.name}, {"labels", c.labels}, {"low", c.low}, {"high", c.high}});
   }
   for (const ResponseModel& r : model.responses) {
-    out["responses"].push_back({{"id", r.id}, {"unit", r.unit}});
+    const Skill& s = r.skill;
+    out["responses"].push_back({{"id", r.id}, {"unit", r.unit}, {"inflation", r.inflation}, {"points", s.points}, {"r", s.r}, {"r2", s.r2},
+                                {"rms", s.rms}, {"relative", s.relative}, {"coverage", s.coverage}});
     Json& family = out["families"][r.family];
     if (!family.is_null()) continue;
     for (const auto& process : r.processes) family.push_back(hyper_json(process->hyperparameters()));
@@ -50,14 +53,14 @@ Json body_of(const Model& model) {
   return out;
 }
 
-Dataset dataset_from(const Json& in) {
+Dataset dataset_from(const Parsed& in) {
   Dataset data;
   data.fixed = in.at("fixed").get<std::map<std::string, std::string>>();
-  for (const Json& c : in.at("columns")) {
+  for (const Parsed& c : in.at("columns")) {
     data.columns.push_back({c.at("name"), c.at("labels").get<std::vector<std::string>>(), c.at("low"), c.at("high")});
   }
-  for (const Json& r : in.at("responses")) data.unit[r.at("id")] = r.at("unit");
-  for (const Json& r : in.at("rows")) {
+  for (const Parsed& r : in.at("responses")) data.unit[r.at("id")] = r.at("unit");
+  for (const Parsed& r : in.at("rows")) {
     DataRow row{.source = r.at("source"), .x = r.at("x").get<std::vector<double>>(), .mean = {}};
     if (row.x.size() != data.columns.size()) throw std::out_of_range("a row does not fit the columns");
     for (const auto& [id, mean] : r.at("mean").items()) row.mean[id] = {mean.at(0), mean.at(1)};
@@ -67,24 +70,36 @@ Dataset dataset_from(const Json& in) {
   return data;
 }
 
-Model model_from(const Json& in) {
+const Parsed& said_of(const Parsed& in, const std::string& response) {
+  for (const Parsed& r : in.at("responses")) {
+    if (r.at("id") == response) return r;
+  }
+  throw std::out_of_range("a response is missing");
+}
+
+Model model_from(const Parsed& in) {
   Model model{.name = in.at("name"), .physics_version = in.at("physics_version"), .data = dataset_from(in), .responses = {}, .curves = {}};
-  const auto width = static_cast<std::size_t>(scaled_inputs(model.data.columns, model.data.rows.front().x).size());
-  const auto checked = [&](const Json& j) {
+  const auto width = static_cast<std::size_t>(features_of(model.data.columns, model.data.rows.front().x).size());
+  const auto checked = [&](const Parsed& j) {
     Hyperparameters h = hyper_of(j);
     if (h.log_length.size() != width) throw std::out_of_range("hyperparameters do not fit the columns");
     return h;
   };
   for (const Family& family : families_of(model.data)) {
     std::vector<Hyperparameters> kept;
-    for (const Json& j : in.at("families").at(family.name)) kept.push_back(checked(j));
-    for (ResponseModel& response : response_models(model.data, family, kept)) model.responses.push_back(std::move(response));
+    for (const Parsed& j : in.at("families").at(family.name)) kept.push_back(checked(j));
+    for (ResponseModel& response : response_models(model.data, family, kept)) {
+      const Parsed& said = said_of(in, response.id);
+      response.inflation = said.at("inflation");
+      response.skill = {said.at("points"), said.at("r"), said.at("r2"), said.at("rms"), said.at("relative"), said.at("coverage")};
+      model.responses.push_back(std::move(response));
+    }
   }
   if (in.contains("curves")) {
-    const Json& list = in.at("curves");
+    const Parsed& list = in.at("curves");
     model.curves = curve_model(model.data, [&](Observations o, std::size_t k) { return GaussianProcess(std::move(o), checked(list.at(k))); });
   }
-  model.id = id_of(model);
+  model.id = in.at("id");
   return model;
 }
 
@@ -94,6 +109,7 @@ std::string id_of(const Model& model) { return sha256_hex(body_of(model).dump())
 
 std::string to_json(const Model& model) {
   Json out = body_of(model);
+  out["id"] = model.id;
   std::string text = "{\n";  // one line a row: readable, and small beside indented arrays
   bool first = true;
   for (const auto& [key, value] : out.items()) {
@@ -112,7 +128,7 @@ std::string to_json(const Model& model) {
 
 Result<Model> model_from_json(const std::string& text) {
   try {
-    const Json in = Json::parse(text);
+    const Parsed in = Parsed::parse(text);
     if (in.at("format") != kFormat) return Error{Code::kDataLoss, "not a regolab model (format " + in.at("format").dump() + ") train it again"};
     if (const int version = in.at("physics_version"); version != kPhysicsVersion) {
       return Error{Code::kFailedPrecondition, "the model was trained under physics version " + std::to_string(version) + " (this program has " +

@@ -25,7 +25,9 @@ Result<Model> train(const std::string& name, Dataset data, const OnProgress& on_
     if (on_progress && !on_progress(families[f].name, static_cast<int>(f), of)) return stopped();
     std::vector<Hyperparameters> fitted;
     for (std::size_t k = 0; k < families[f].members.size(); ++k) fitted.push_back(fit_hyperparameters(observations_of(model.data, families[f], k)));
-    std::ranges::move(response_models(model.data, families[f], fitted), std::back_inserter(model.responses));
+    auto members = response_models(model.data, families[f], fitted);
+    judge(model.data, families[f], members);
+    std::ranges::move(members, std::back_inserter(model.responses));
   }
   if (on_progress && !on_progress("stress-strain curves", of - 1, of)) return stopped();
   model.curves = curve_model(model.data, [](Observations o, std::size_t) {
@@ -50,7 +52,8 @@ Result<Model> with_rows(const Model& model, const std::vector<Source>& sources) 
     if (!before || before->family != family.name) continue;
     for (const auto& process : before->processes) kept.push_back(process->hyperparameters());
     for (ResponseModel& response : response_models(out.data, family, kept)) {
-      response.inflation = model.find(response.id)->inflation;  // of points spread over the box; the new ones crowd around one material
+      const ResponseModel& old = *model.find(response.id);
+      response.inflation = old.inflation, response.skill = old.skill;  // of points spread over the box; the new ones crowd around one material
       out.responses.push_back(std::move(response));
     }
   }
