@@ -29,7 +29,7 @@ ResultTable our_table() {
   const ResultTable article = table;
   table.experiment = "l32-quick";
   table.rows.clear();
-  std::ifstream file(REGOLAB_SOURCE "/tests/article/l32-quick.csv");
+  std::ifstream file(REGOLAB_SOURCE "/scheduler/surrogate/data/l32-quick.csv");
   std::string line;
   std::getline(file, line);
   const std::vector<std::string> header = cells_of(line);
