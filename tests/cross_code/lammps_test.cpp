@@ -60,8 +60,8 @@ TEST(BesideLammps, AMirroredNeighbourMovesAsTheMirrorImage) {
 constexpr double kSpeed = 0.1;      // largest, of each component [m/s]
 constexpr double kStretch = 20e-3;  // [s]
 
-/// 60 clusters of all kinds, flying and spinning through a box of 4 x 4 cm; 20 of them meet something within kStretch.
-GrainBed flying_grains() { return grains_of(swarm({.clusters = 60, .seed = 1, .speed = kSpeed})); }
+/// 60 clusters of all kinds, flying and spinning through a box of 4 x 4 cm; 15 or more of them meet something within kStretch.
+GrainBed flying_grains() { return grains_of(swarm({.clusters = 60, .seed = 3, .speed = kSpeed})); }
 
 Setting flight(double friction, double tangential_damping) {
   Setting setting{.law = {.normal_stiffness = 7.5e4,

@@ -74,7 +74,7 @@ TEST(ArticleFunctions, ReportStandsBesideTableTwelve) {
 /// The same functions on our own simulations: what the networks cannot learn from Tables 7 and 9 is not their fault.
 TEST(ArticleFunctions, LearnOurOwnRunOfTheSameTests) {
   const ResultTable ours = our_table();
-  ASSERT_THAT(ours.rows, SizeIs(64));
+  ASSERT_THAT(ours.rows, SizeIs(96));
   const auto report = train_functions(ours, 1);
   ASSERT_TRUE(report.ok()) << report.error().text;
   for (const OutputReport& output : report->functions[0].outputs) EXPECT_GT(*output.left_out.r, 0.96) << output.response;
