@@ -6,6 +6,7 @@
 #include <cmath>
 #include <set>
 
+#include "client/csv_read.h"
 #include "client/design_source.h"
 #include "vocab/units.h"
 
@@ -30,15 +31,6 @@ bool needs_repose(const pb::InvertReply& reply) {
   return std::any_of(reply.targets().begin(), reply.targets().end(), [](const auto& t) { return t.response().starts_with("repose"); });
 }
 
-std::vector<std::string> cells_of(const std::string& row) {
-  std::vector<std::string> cells(1);
-  for (const char c : row) {
-    if (c == ',') cells.emplace_back();
-    else cells.back() += c;
-  }
-  return cells;
-}
-
 }  // namespace
 
 unsigned runs_of_one(const pb::InvertReply& reply) {
@@ -47,7 +39,7 @@ unsigned runs_of_one(const pb::InvertReply& reply) {
 
 pb::SubmitRequest confirmation_design(const pb::InvertReply& reply, int candidates, unsigned seeds, const std::string& name) {
   std::vector<std::vector<std::string>> rows;
-  for (int k = 0; k < candidates; ++k) rows.push_back(cells_of(reply.candidates(k).design_row()));
+  for (int k = 0; k < candidates; ++k) rows.push_back(csv_cells(reply.candidates(k).design_row()));
   std::string fixed, header, profile = "quick";
   std::vector<std::size_t> varied;
   for (int c = 0; c < reply.columns_size(); ++c) {

@@ -7,6 +7,7 @@
 #include <map>
 #include <sstream>
 
+#include "client/csv_read.h"
 #include "input/field.h"
 #include "input/number_text.h"
 #include "input/unit_convert.h"
@@ -38,16 +39,6 @@ Heading heading_of(const std::string& text) {
   return best;
 }
 
-std::vector<std::string> cells_of(std::string line) {
-  if (!line.empty() && line.back() == '\r') line.pop_back();
-  std::vector<std::string> cells(1);
-  for (const char c : line) {
-    if (c == ',') cells.emplace_back();
-    else if (c != '"') cells.back() += c;
-  }
-  return cells;
-}
-
 Outcome read_table(const std::string& path, const std::map<std::string, std::string>& set, pb::PredictRequest& request) {
   std::ifstream in(path, std::ios::binary | std::ios::ate);
   if (!in) return failed(Exit::kInvalidInput, path + " cannot be read (no such file, or no permission) correct --table");
@@ -57,7 +48,7 @@ Outcome read_table(const std::string& path, const std::map<std::string, std::str
   std::vector<Heading> headings;
   for (int number = 1; std::getline(in, line); ++number) {
     if (line.empty() || line[0] == '#') continue;
-    const auto cells = cells_of(line);
+    const auto cells = csv_cells(line);
     if (headings.empty()) {
       for (const std::string& cell : cells) headings.push_back(heading_of(cell));
       continue;

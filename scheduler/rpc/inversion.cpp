@@ -1,4 +1,3 @@
-#include "input/field.h"
 #include "scheduler/rpc/analysis_convert.h"
 #include "scheduler/rpc/grpc_status.h"
 #include "scheduler/rpc/surrogate_convert.h"
@@ -40,8 +39,7 @@ v1::Freedom freedom_of(const surrogate::InputColumn& column, const surrogate::Qu
   v1::Freedom out;
   out.set_input(column.name);
   out.set_unit(surrogate::input_unit(column));
-  const Field* field = find_field(column.name);
-  const double factor = column.is_choice() || !field ? 1 : door_unit(field->si).factor;
+  const double factor = surrogate::input_factor(column);
   out.set_low(span.low * factor), out.set_high(span.high * factor);
   out.set_box_low(column.low * factor), out.set_box_high(column.high * factor);
   for (const double choice : span.choices) out.add_labels(column.labels[static_cast<std::size_t>(choice)]);

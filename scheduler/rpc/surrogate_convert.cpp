@@ -1,6 +1,5 @@
 #include "scheduler/rpc/surrogate_convert.h"
 
-#include "input/field.h"
 #include "scheduler/surrogate/material.h"
 #include "vocab/units.h"
 
@@ -12,10 +11,8 @@ v1::ModelInput to_proto(const surrogate::InputColumn& column) {
   out.set_name(column.name);
   out.set_unit(surrogate::input_unit(column));
   for (const std::string& label : column.labels) out.add_labels(label);
-  const Field* field = find_field(column.name);
-  const double factor = column.is_choice() || !field ? 1 : door_unit(field->si).factor;
-  out.set_low(column.low * factor);
-  out.set_high(column.high * factor);
+  out.set_low(column.low * surrogate::input_factor(column));
+  out.set_high(column.high * surrogate::input_factor(column));
   return out;
 }
 

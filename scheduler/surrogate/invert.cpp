@@ -4,7 +4,6 @@
 #include <cmath>
 #include <nlopt.hpp>
 
-#include "input/field.h"
 #include "scheduler/surrogate/material.h"
 #include "vocab/units.h"
 
@@ -97,8 +96,7 @@ void round_to_four_digits(const Model& model, std::vector<double>& x) {
   for (std::size_t c = 0; c < x.size(); ++c) {
     const InputColumn& column = model.data.columns[c];
     if (column.is_choice() || x[c] == 0 || column.low == column.high) continue;
-    const Field* field = find_field(column.name);
-    const double factor = field ? door_unit(field->si).factor : 1, shown = x[c] * factor;
+    const double factor = input_factor(column), shown = x[c] * factor;
     const double unit = std::pow(10, 3 - std::floor(std::log10(std::abs(shown))));
     x[c] = std::clamp(std::round(shown * unit) / unit / factor, column.low, column.high);
   }

@@ -27,7 +27,7 @@ std::vector<std::string_view> names_of(const Model& model) {
 /// "'30 deg'": what could be written.
 std::string example_of(const InputColumn& column) {
   if (column.is_choice()) return column.labels.front();
-  const double factor = door_unit(find_field(column.name)->si).factor, middle = 0.5 * (column.low + column.high) * factor;
+  const double factor = input_factor(column), middle = 0.5 * (column.low + column.high) * factor;
   const double unit = std::pow(10, 1 - std::floor(std::log10(std::abs(middle))));  // two digits
   return "'" + input_text(column, std::round(middle * unit) / unit / factor) + "'";
 }
@@ -55,6 +55,11 @@ void check_fixed(const std::string& name, const std::string& text, const Model& 
 std::string input_unit(const InputColumn& column) {
   const Field* field = find_field(column.name);
   return column.is_choice() || !field ? "1" : std::string(door_unit_of(*field));
+}
+
+double input_factor(const InputColumn& column) {
+  const Field* field = find_field(column.name);
+  return column.is_choice() || !field ? 1 : door_unit(field->si).factor;
 }
 
 std::string input_text(const InputColumn& column, double value) {

@@ -21,5 +21,7 @@ Result<Material> read_material(const Model& model, const std::map<std::string, s
 std::string input_text(const InputColumn& column, double value);
 /// Door unit of an input; "1" for choices and pure numbers.
 std::string input_unit(const InputColumn& column);
+/// Shown = SI value times this.
+double input_factor(const InputColumn& column);
 
 }  // namespace regolab::surrogate
