@@ -96,19 +96,26 @@ std::optional<CurveModel> curve_model(const Dataset& data, const std::function<G
   return model;
 }
 
+std::optional<Between> between(const std::vector<double>& sigma3, double at) {
+  const double slack = 1e-9 * at;
+  if (sigma3.empty() || at < sigma3.front() - slack || at > sigma3.back() + slack) return std::nullopt;
+  Between place;
+  while (place.low + 2 < sigma3.size() && sigma3[place.low + 1] < at) ++place.low;
+  if (sigma3.size() == 1) return place;
+  place.share = std::clamp(std::log(at / sigma3[place.low]) / std::log(sigma3[place.low + 1] / sigma3[place.low]), 0.0, 1.0);
+  return place;
+}
+
 std::vector<CurveValue> curves_at(const CurveModel& model, const Eigen::VectorXd& scaled, double sigma3) {
-  const double slack = 1e-9 * sigma3;
-  if (sigma3 < model.sigma3.front() - slack || sigma3 > model.sigma3.back() + slack) return {};
-  std::size_t k = 0;
-  while (k + 2 < model.sigma3.size() && model.sigma3[k + 1] < sigma3) ++k;
-  const bool single = model.sigma3.size() == 1;
-  const double w = single ? 0 : std::clamp(std::log(sigma3 / model.sigma3[k]) / std::log(model.sigma3[k + 1] / model.sigma3[k]), 0.0, 1.0);
+  const auto place = between(model.sigma3, sigma3);
+  if (!place) return {};
+  const double w = place->share;
   std::vector<GaussianProcess::Prediction> scores;
   for (const GaussianProcess& process : model.processes) scores.push_back(process.predict(scaled));
   std::vector<CurveValue> out;
   for (int e = 0; e < kGrid; ++e) {
     const auto at = [&](std::size_t stress) { return static_cast<Eigen::Index>(stress) * kGrid + e; };
-    const Eigen::Index a = at(k), b = single ? a : at(k + 1);
+    const Eigen::Index a = at(place->low), b = model.sigma3.size() == 1 ? a : at(place->low + 1);
     const auto mix = [&](const auto& values) { return (1 - w) * values(a) + w * values(b); };
     double mean = mix(model.mean), variance = 0, noise = 0;
     const double left = mix(model.residual);

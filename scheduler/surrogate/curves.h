@@ -10,6 +10,13 @@ namespace regolab::surrogate {
 std::optional<double> confining_stress_of(const std::string& id, std::string_view prefix);
 std::string kilopascals(double pascal);  ///< 2500 -> "2.5kPa"
 
+/// Where a stress lies among ascending ones: (1 - share) of number `low`, share of the next, over the logarithm. Empty: outside.
+struct Between {
+  std::size_t low = 0;
+  double share = 0;
+};
+std::optional<Between> between(const std::vector<double>& sigma3, double at);
+
 /// From the dataset's curve samples; empty when too few rows hold whole curves. `fit` gives the process of one score.
 std::optional<CurveModel> curve_model(const Dataset& data, const std::function<GaussianProcess(Observations, std::size_t k)>& fit);
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "input/field.h"
 #include "scheduler/surrogate/curves.h"
@@ -58,28 +59,23 @@ std::vector<Estimate> Model::predict(const std::vector<double>& x) const {
 }
 
 std::optional<Estimate> Model::sigma1_at(const std::vector<double>& x, double sigma3) const {
-  struct Known {
-    double sigma3;
-    const ResponseModel* response;
-  };
-  std::vector<Known> known;
+  std::map<double, const ResponseModel*> known;
   for (const ResponseModel& r : responses) {
-    if (const auto at = confining_stress_of(r.id, kSigma1)) known.push_back({*at, &r});
+    if (const auto at = confining_stress_of(r.id, kSigma1)) known[*at] = &r;
   }
-  std::ranges::sort(known, {}, &Known::sigma3);
-  const double slack = 1e-9 * sigma3;
-  if (known.empty() || sigma3 < known.front().sigma3 - slack || sigma3 > known.back().sigma3 + slack) return std::nullopt;
-  std::size_t k = 0;
-  while (k + 2 < known.size() && known[k + 1].sigma3 < sigma3) ++k;
+  std::vector<double> stresses;
+  for (const auto& [stress, response] : known) stresses.push_back(stress);
+  const auto place = between(stresses, sigma3);
+  if (!place) return std::nullopt;
   const Eigen::VectorXd scaled = features_of(data.columns, x);
-  const Band a = band_of(*known[k].response, scaled);
-  if (known.size() == 1) return estimate_of(known[0].response->id, "Pa", true, a);
-  const Band b = band_of(*known[k + 1].response, scaled);
-  const double w = std::clamp(std::log(sigma3 / known[k].sigma3) / std::log(known[k + 1].sigma3 / known[k].sigma3), 0.0, 1.0);
+  const Band a = band_of(*known.at(stresses[place->low]), scaled);
+  if (known.size() == 1) return estimate_of(known.begin()->second->id, "Pa", true, a);
+  const Band b = band_of(*known.at(stresses[place->low + 1]), scaled);
+  const double w = place->share;
   // Errors at two stresses share their bed: bands add as if fully correlated.
   const auto mix = [w](double p, double q) { return (1 - w) * p + w * q; };
-  const Band between{mix(a.centre, b.centre), mix(a.of_mean, b.of_mean), mix(a.of_run, b.of_run)};
-  return estimate_of(std::string(kSigma1) + kilopascals(sigma3), "Pa", true, between);
+  const Band both{mix(a.centre, b.centre), mix(a.of_mean, b.of_mean), mix(a.of_run, b.of_run)};
+  return estimate_of(std::string(kSigma1) + kilopascals(sigma3), "Pa", true, both);
 }
 
 std::vector<Estimate> Model::curve_at(const std::vector<double>& x, double sigma3) const {
