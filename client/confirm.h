@@ -1,5 +1,7 @@
-/// Inverse design checked by DEM: the best candidates are run, the surrogate learns from them, and so on.
+/// Inverse design checked by DEM: candidates are run, the surrogate learns from them, and so on until one is known to meet its targets.
 #pragma once
+#include <cstdint>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -7,21 +9,48 @@
 
 namespace regolab::client {
 
-/// What DEM measured of a candidate: mean over seeds and its standard error, in the targets' order and units.
-struct Confirmed {
-  pb::Candidate candidate;
-  std::string experiment;
-  int point = 0, seeds = 0;
-  std::vector<double> mean, standard_error;  // [n_targets]; NaN: not measured
-  double miss = 0;                           ///< largest |mean - target| / tolerance
+/// What DEM measured of one target so far. A mean of beds that scatter is an estimate, so it must also be known well enough.
+struct MeasuredTarget {
+  std::vector<double> runs;  ///< [target's unit]
+  double value = 0, tolerance = 0;
+
+  double mean() const;            ///< NaN without runs
+  double standard_error() const;  ///< NaN below two runs
+  double miss() const;            ///< |mean - value| / tolerance; infinite without runs
+  bool known() const { return standard_error() <= tolerance; }
+  bool met() const { return miss() <= 1 && known(); }
 };
 
-/// A design of these candidates: what differs stands in its table, the rest is fixed. `columns` as InvertReply has them.
-pb::SubmitRequest confirmation_design(const pb::InvertReply& reply, int candidates, unsigned seeds, const std::string& name);
+/// A material that was run, over all rounds.
+struct Confirmed {
+  pb::Candidate candidate;
+  std::vector<std::string> experiments;
+  std::vector<MeasuredTarget> targets;  // [n_targets]
+
+  double miss() const;
+  bool met() const;
+  /// Its means fit, but more runs must say whether by chance.
+  bool open() const { return miss() <= 1 && !met(); }
+};
+
+/// The materials of the next round, `count` or fewer: what is open first, then what the surrogate proposes and nobody has run.
+std::vector<pb::Candidate> next_round(const std::vector<Confirmed>& tried, const pb::InvertReply& reply, std::size_t count);
+
+/// A design of these candidates: what differs stands in its table, the rest is fixed. `reply` says the columns and the targets.
+struct RoundSeeds {
+  std::uint64_t first = 1;
+  unsigned count = 4;
+};
+pb::SubmitRequest confirmation_design(const pb::InvertReply& reply, std::span<const pb::Candidate> candidates, RoundSeeds seeds, const std::string& name);
 
 /// DEM runs of one candidate and seed: settling, and each test that the targets need.
 unsigned runs_of_one(const pb::InvertReply& reply);
 
-std::vector<Confirmed> confirmed_of(const pb::InvertReply& reply, int candidates, const std::string& experiment, const pb::ResultsReply& results);
+/// Adds what a round measured to what is known.
+void learn(const pb::InvertReply& reply, std::span<const pb::Candidate> candidates, const std::string& experiment, const pb::ResultsReply& results,
+           std::vector<Confirmed>& tried);
+
+/// Who met every target, else whose largest miss is smallest; null when nothing was run.
+const Confirmed* best_of(const std::vector<Confirmed>& tried);
 
 }  // namespace regolab::client

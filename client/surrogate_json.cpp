@@ -73,7 +73,7 @@ void add_inversion(const pb::InvertReply& reply, Json& document) {
     document["targets"].push_back({{"response", t.response()}, {"unit", t.unit()}, {"value", t.value()}, {"tolerance", t.tolerance()}});
   }
   for (const auto& c : reply.candidates()) {
-    Json one{{"set", json_of(c.set())}, {"chance_of_a_run", c.probability()}, {"largest_miss_in_tolerances", c.miss()}, {"estimates", Json::array()}};
+    Json one{{"set", json_of(c.set())}, {"probability", c.probability()}, {"largest_miss_in_tolerances", c.miss()}, {"estimates", Json::array()}};
     for (const auto& e : c.estimates()) one["estimates"].push_back(json_of(e));
     document["candidates"].push_back(std::move(one));
   }

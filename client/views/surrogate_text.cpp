@@ -77,7 +77,7 @@ std::string material_text(const google::protobuf::Map<std::string, std::string>&
 std::string inversion_text(const pb::InvertReply& reply) {
   std::vector<Column> columns{{"", "", Align::kLeft}};
   for (const auto& t : reply.targets()) columns.push_back({short_name(t.response()), shown_unit(t.unit())});
-  columns.push_back({"all met", "chance of a run"});
+  columns.push_back({"all met", "probability"});
   Table table(std::move(columns));
   std::vector<std::string> wanted{"wanted"};
   for (const auto& t : reply.targets()) wanted.push_back(with_uncertainty(t.value(), t.tolerance()));
@@ -86,11 +86,11 @@ std::string inversion_text(const pb::InvertReply& reply) {
   for (int i = 0; i < reply.candidates_size(); ++i) {
     const auto& c = reply.candidates(i);
     std::vector<std::string> cells{std::to_string(i + 1)};
-    for (const auto& e : c.estimates()) cells.push_back(with_uncertainty(e.value(), 0.5 * (e.high() - e.low())));
+    for (const auto& e : c.estimates()) cells.push_back(with_uncertainty(e.value(), 0.5 * (e.mean_high() - e.mean_low())));
     cells.push_back(fixed(100 * c.probability(), 0) + " %");
     table.add(std::move(cells));
   }
-  std::string text = table.text() + "± of a candidate: where one run falls with 90 %\n\n";
+  std::string text = table.text() + "± of a candidate: where its mean over many runs lies with 90 %\n\n";
   for (int i = 0; i < reply.candidates_size(); ++i) {
     text += fmt::format("{:>3}  {}\n", i + 1, material_text(reply.candidates(i).set(), reply));
   }

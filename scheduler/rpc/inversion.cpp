@@ -26,7 +26,7 @@ v1::Candidate to_proto(const surrogate::Model& model, const surrogate::Candidate
     const auto& column = model.data.columns[c];
     const std::string text = surrogate::input_text(column, candidate.x[c]);
     (*out.mutable_set())[column.name] = text;
-    if (column.name != "profile") row += (row.empty() ? "" : ",") + text.substr(0, text.find(' '));
+    if (!surrogate::is_of_the_run(column.name)) row += (row.empty() ? "" : ",") + text.substr(0, text.find(' '));
   }
   out.set_design_row(row);
   for (const auto& estimate : candidate.estimates) *out.add_estimates() = regolab::to_proto(estimate);
@@ -57,7 +57,7 @@ void put(const surrogate::Model& model, const surrogate::Question& question, con
   }
   for (const auto& candidate : found.candidates) *reply.add_candidates() = to_proto(model, candidate);
   for (std::size_t c = 0; c < model.data.columns.size(); ++c) {
-    if (model.data.columns[c].name == "profile") continue;
+    if (surrogate::is_of_the_run(model.data.columns[c].name)) continue;
     *reply.add_freedom() = freedom_of(model.data.columns[c], found.freedom[c]);
     reply.add_columns(heading_of(model.data.columns[c]));
   }

@@ -1,5 +1,7 @@
 #include "scheduler/rpc/surrogate_source.h"
 
+#include <algorithm>
+
 #include "scheduler/rpc/result_table.h"
 #include "vocab/profile.h"
 
@@ -16,6 +18,10 @@ std::string profile_of(const Numerics& n) {
   return "";
 }
 
+bool varies(const ResultTable& table, std::string_view name) {
+  return std::ranges::find(table.factors, name, &TableFactor::name) != table.factors.end();
+}
+
 }  // namespace
 
 Result<surrogate::Source> surrogate_source(Reader& reader, const std::string& label) {
@@ -28,6 +34,7 @@ Result<surrogate::Source> surrogate_source(Reader& reader, const std::string& la
   if (!stages.ok()) return stages.error();
   for (const StoredStage& stage : *stages) {
     const StageSpec& spec = stage.record.identity.spec;
+    if (!varies(source.table, "particles")) source.table.fixed.try_emplace("particles", std::to_string(spec.numerics.clusters));
     if (const std::string name = profile_of(spec.numerics); !name.empty()) source.table.fixed.try_emplace("profile", name);
     if (spec.kind != StageKind::kStress || stage.record.status.end != StageEnd::kCompleted) continue;
     const auto result = reader.result(stage.link.job);

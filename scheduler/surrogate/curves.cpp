@@ -61,24 +61,24 @@ std::optional<CurveModel> curve_model(const Dataset& data, const std::function<G
   CurveModel model{.sigma3 = stresses_of(data), .mean = {}, .components = {}, .residual = {}, .processes = {}};
   if (model.sigma3.empty()) return std::nullopt;
   std::vector<std::vector<double>> logs;
-  std::vector<Eigen::VectorXd> inputs;
+  std::vector<Inputs> inputs;
   std::vector<int> seeds;
   for (const DataRow& row : data.rows) {
     auto list = logarithms(row, model.sigma3);
     if (list.empty()) continue;
     logs.push_back(std::move(list));
-    inputs.push_back(features_of(data.columns, row.x));
+    inputs.push_back(inputs_of(data.columns, row.x));
     seeds.push_back(row.mean.at(sample_id(model.sigma3.front(), 0)).seeds);
   }
   if (logs.size() < kFewestRows) return std::nullopt;
   const auto n = static_cast<Eigen::Index>(logs.size()), width = static_cast<Eigen::Index>(logs.front().size());
   Eigen::MatrixXd y(n, width);
-  Observations observations{Eigen::MatrixXd(n, inputs.front().size()), Eigen::VectorXd(n), Eigen::VectorXd(n)};
+  Observations observations{Eigen::MatrixXd(n, inputs.front().scaled.size()), Eigen::VectorXd(n), Eigen::VectorXd(n)};
   for (Eigen::Index i = 0; i < n; ++i) {
     const auto k = static_cast<std::size_t>(i);
     y.row(i) = Eigen::Map<const Eigen::RowVectorXd>(logs[k].data(), width);
-    observations.x.row(i) = inputs[k].transpose();
-    observations.seeds[i] = seeds[k];
+    observations.x.row(i) = inputs[k].scaled.transpose();
+    observations.runs[i] = seeds[k] * inputs[k].grains;
   }
   model.mean = y.colwise().mean().transpose();
   y.rowwise() -= model.mean.transpose();
@@ -106,12 +106,12 @@ std::optional<Between> between(const std::vector<double>& sigma3, double at) {
   return place;
 }
 
-std::vector<CurveValue> curves_at(const CurveModel& model, const Eigen::VectorXd& scaled, double sigma3) {
+std::vector<CurveValue> curves_at(const CurveModel& model, const Inputs& inputs, double sigma3) {
   const auto place = between(model.sigma3, sigma3);
   if (!place) return {};
   const double w = place->share;
   std::vector<GaussianProcess::Prediction> scores;
-  for (const GaussianProcess& process : model.processes) scores.push_back(process.predict(scaled));
+  for (const GaussianProcess& process : model.processes) scores.push_back(process.predict(inputs.scaled));
   std::vector<CurveValue> out;
   for (int e = 0; e < kGrid; ++e) {
     const auto at = [&](std::size_t stress) { return static_cast<Eigen::Index>(stress) * kGrid + e; };
@@ -123,7 +123,7 @@ std::vector<CurveValue> curves_at(const CurveModel& model, const Eigen::VectorXd
       const double weight = mix(model.components.col(static_cast<Eigen::Index>(c)));
       mean += weight * scores[c].mean;
       variance += weight * weight * scores[c].variance;
-      noise += weight * weight * scores[c].noise;
+      noise += weight * weight * scores[c].noise / inputs.grains;
     }
     out.push_back({mean, std::sqrt(variance), std::sqrt(variance + noise + left * left)});
   }

@@ -24,6 +24,6 @@ std::optional<CurveModel> curve_model(const Dataset& data, const std::function<G
 struct CurveValue {
   double mean, of_mean, of_run;
 };
-std::vector<CurveValue> curves_at(const CurveModel& model, const Eigen::VectorXd& scaled, double sigma3);
+std::vector<CurveValue> curves_at(const CurveModel& model, const Inputs& inputs, double sigma3);
 
 }  // namespace regolab::surrogate

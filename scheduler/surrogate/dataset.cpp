@@ -9,7 +9,8 @@
 namespace regolab::surrogate {
 namespace {
 
-constexpr std::string_view kProfile = "profile";  // no parameter of a material, but what a run costs and how fine it is
+constexpr std::string_view kProfile = "profile";      // what a run costs and how fine it is
+constexpr std::string_view kParticles = "particles";  // the size of its specimen
 
 std::vector<std::string> labels_of(const std::string& name) {
   if (name == kProfile) return {std::begin(kProfileNames), std::end(kProfileNames)};
@@ -175,17 +176,25 @@ Result<Dataset> dataset_of(const std::vector<Source>& sources) {
   return data;
 }
 
-Eigen::VectorXd features_of(const std::vector<InputColumn>& columns, const std::vector<double>& x) {
+bool is_of_the_run(const std::string& column) { return column == kProfile || column == kParticles; }
+
+Inputs inputs_of(const std::vector<InputColumn>& columns, const std::vector<double>& x) {
   std::vector<double> out;
+  double grains = 1;
   for (std::size_t c = 0; c < columns.size(); ++c) {
     const InputColumn& column = columns[c];
+    if (column.name == kParticles && column.high > column.low) {
+      grains = x[c] / column.low;
+      out.push_back(std::log(grains) / std::log(column.high / column.low));
+      continue;
+    }
     if (!column.is_choice()) {
       out.push_back(column.high > column.low ? (x[c] - column.low) / (column.high - column.low) : 0.5);
       continue;
     }
     for (std::size_t k = 0; k < column.labels.size(); ++k) out.push_back(static_cast<std::size_t>(x[c]) == k ? 1.0 : 0.0);
   }
-  return Eigen::Map<const Eigen::VectorXd>(out.data(), static_cast<Eigen::Index>(out.size()));
+  return {Eigen::Map<const Eigen::VectorXd>(out.data(), static_cast<Eigen::Index>(out.size())), grains};
 }
 
 namespace {

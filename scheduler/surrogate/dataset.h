@@ -10,7 +10,7 @@
 
 namespace regolab::surrogate {
 
-/// One varied parameter: a number, or one of some names.
+/// One varied parameter: a number, or one of some names. `profile` and `particles` belong to the run, the others to the material.
 struct InputColumn {
   std::string name;                 ///< of the field: theta_F, N_E, gravity, ...
   std::vector<std::string> labels;  ///< of a choice, in the field's order; empty = a number
@@ -60,8 +60,15 @@ Result<std::vector<DataRow>> rows_of(const Source& source, const std::vector<Inp
 /// What `text` says for a column: SI value, or the index of a choice ("0.1" with unit "deg", "40 degree", "mixture"; "quick" of profile).
 Result<double> input_value(const std::string& name, const std::string& text, const std::string& unit = {});
 
-/// Inputs of a surrogate: numbers to [0, 1] over the data's range, choices one-hot.
-Eigen::VectorXd features_of(const std::vector<InputColumn>& columns, const std::vector<double>& x);
+/// A material and its specimen as processes see them. A measured mean scatters as one over the number of grains behind it.
+struct Inputs {
+  Eigen::VectorXd scaled;  ///< numbers to [0, 1] over the data's range (`particles` by its logarithm), choices one-hot
+  double grains = 1;       ///< in the specimen, in units of the smallest specimen of the data
+};
+Inputs inputs_of(const std::vector<InputColumn>& columns, const std::vector<double>& x);
+
+/// What belongs to the run and not to the material: the profile and the number of particles.
+bool is_of_the_run(const std::string& column);
 
 /// Interpolates a curve onto the strain grid; empty when it ends before.
 CurveSamples sampled(const std::vector<double>& strain, const std::vector<double>& stress);

@@ -50,14 +50,14 @@ Skill skill_of(const std::vector<Held>& held, bool logarithm, double inflation) 
   return skill;
 }
 
-/// Rows of one material, whatever the profile, have one number.
+/// Rows of one material, whatever the profile and the specimen, have one number.
 std::vector<int> materials_of(const Dataset& data, const std::vector<std::size_t>& rows) {
   std::map<std::vector<double>, int> known;
   std::vector<int> out;
   for (const std::size_t row : rows) {
     std::vector<double> x;
     for (std::size_t c = 0; c < data.columns.size(); ++c) {
-      if (data.columns[c].name != "profile") x.push_back(data.rows[row].x[c]);
+      if (!is_of_the_run(data.columns[c].name)) x.push_back(data.rows[row].x[c]);
     }
     out.push_back(known.try_emplace(std::move(x), static_cast<int>(known.size())).first->second);
   }
@@ -150,15 +150,16 @@ std::vector<Family> families_of(const Dataset& data) {
 
 Observations observations_of(const Dataset& data, const Family& family, std::size_t k) {
   const auto n = static_cast<Eigen::Index>(family.rows.size());
-  Observations out{Eigen::MatrixXd(n, features_of(data.columns, data.rows[family.rows[0]].x).size()), Eigen::VectorXd(n), Eigen::VectorXd(n)};
+  Observations out{Eigen::MatrixXd(n, inputs_of(data.columns, data.rows[family.rows[0]].x).scaled.size()), Eigen::VectorXd(n), Eigen::VectorXd(n)};
   for (Eigen::Index i = 0; i < n; ++i) {
     const DataRow& row = data.rows[family.rows[static_cast<std::size_t>(i)]];
-    out.x.row(i) = features_of(data.columns, row.x).transpose();
+    const Inputs inputs = inputs_of(data.columns, row.x);
+    out.x.row(i) = inputs.scaled.transpose();
     out.y[i] = 0;
     for (std::size_t j = 0; j < family.members.size(); ++j) {
       out.y[i] += family.contrast(static_cast<Eigen::Index>(j), static_cast<Eigen::Index>(k)) * modelled(row, family.members[j]);
     }
-    out.seeds[i] = row.mean.at(family.members.front()).seeds;
+    out.runs[i] = row.mean.at(family.members.front()).seeds * inputs.grains;
   }
   return out;
 }
@@ -186,11 +187,12 @@ void judge(const Dataset& data, const Family& family, std::vector<ResponseModel>
     std::vector<Held> held;
     for (std::size_t i = 0; i < family.rows.size(); ++i) {
       const DataRow& row = data.rows[family.rows[i]];
+      const double grains = inputs_of(data.columns, row.x).grains;
       double mean = 0, variance = 0;
       for (std::size_t k = 0; k < left_out.size(); ++k) {
         const auto& p = left_out[k][i];
         mean += model.weight[k] * p.mean;
-        variance += model.weight[k] * model.weight[k] * (p.variance + p.noise / row.mean.at(model.id).seeds);
+        variance += model.weight[k] * model.weight[k] * (p.variance + p.noise / (row.mean.at(model.id).seeds * grains));
       }
       held.push_back({modelled(row, model.id), mean, kNormal90 * std::sqrt(variance)});
     }

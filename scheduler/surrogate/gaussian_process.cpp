@@ -61,7 +61,7 @@ MatrixXd covariance(const Observations& data, const Hyperparameters& h) {
   const Eigen::ArrayXXd r = distances(at.scaled).array();
   MatrixXd k = signal * (1 + kRoot5 * r + 5.0 / 3.0 * r.square()) * (-kRoot5 * r).exp();
   k.array() += slope * (1 + 4 * (at.centred.transpose() * at.centred).array());
-  k.diagonal().array() += noise / data.seeds.array() + kJitter;
+  k.diagonal().array() += noise / data.runs.array() + kJitter;
   return k;
 }
 
@@ -93,7 +93,7 @@ void add_likelihood_gradient(const Observations& data, const Hyperparameters& h,
       by_trend += weight * slope * trend(at, i, j);
       by_length.array() += (weight * signal * 5.0 / 3.0 * (1 + kRoot5 * r) * decay) * gap.array().square();
     }
-    by_noise += 0.5 * (a[i] * a[i] - inverse_k(i, i)) * noise / data.seeds[i];
+    by_noise += 0.5 * (a[i] * a[i] - inverse_k(i, i)) * noise / data.runs[i];
   }
   for (Index j = 0; j < d; ++j) gradient[static_cast<std::size_t>(j)] += by_length[j];
   gradient[static_cast<std::size_t>(d)] += by_signal;
@@ -195,7 +195,7 @@ std::vector<GaussianProcess::Prediction> GaussianProcess::leave_groups_out(const
     for (std::size_t k = 0; k < rows.size(); ++k) {
       const auto at = static_cast<Index>(k);
       out[static_cast<std::size_t>(rows[k])] = {data_.y[rows[k]] - scale_ * off[at],
-                                                std::max(0.0, scale_ * scale_ * block(at, at) - noise / data_.seeds[rows[k]]), noise};
+                                                std::max(0.0, scale_ * scale_ * block(at, at) - noise / data_.runs[rows[k]]), noise};
     }
   }
   return out;

@@ -6,19 +6,19 @@
 namespace regolab::surrogate {
 
 /// Covariance of two points: a weak linear trend, a Matern 5/2 part with a length for each input, and noise that falls with the
-/// number of seeds behind a point. Logarithms, as the optimiser sees them.
+/// number of runs behind a point. Logarithms, as the optimiser sees them.
 struct Hyperparameters {
   std::vector<double> log_length;  ///< [n_inputs], inputs are scaled to [0, 1]
   double log_signal = 0;           ///< variance of the smooth part, of standardised outputs
   double log_trend = -2;           ///< variance of each slope
-  double log_noise = -3;           ///< variance of one seed
+  double log_noise = -3;           ///< variance of one run
 };
 
-/// Observations. x: [n][n_inputs] scaled; y: [n]; seeds: [n] runs behind each mean.
+/// Observations. x: [n][n_inputs] scaled; y: [n]; runs: [n] behind each mean, in units of one of the smallest specimen.
 struct Observations {
   Eigen::MatrixXd x;
   Eigen::VectorXd y;
-  Eigen::VectorXd seeds;
+  Eigen::VectorXd runs;
 };
 
 class GaussianProcess {
@@ -29,7 +29,7 @@ class GaussianProcess {
   struct Prediction {
     double mean = 0;
     double variance = 0;  ///< of the material's own mean
-    double noise = 0;     ///< variance that one seed adds
+    double noise = 0;     ///< variance that one run adds
   };
   Prediction predict(const Eigen::VectorXd& x) const;
 

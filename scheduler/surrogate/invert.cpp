@@ -30,9 +30,9 @@ struct Search {
 
   std::vector<Estimate> estimates(const std::vector<double>& x) const {
     std::vector<Estimate> out;
-    const Eigen::VectorXd scaled = features_of(model.data.columns, x);
+    const Inputs inputs = inputs_of(model.data.columns, x);
     for (const Target& target : question.targets) {
-      out.push_back(target.sigma3 > 0 ? *model.sigma1_at(x, target.sigma3) : model.predict_one(*model.find(target.response), scaled));
+      out.push_back(target.sigma3 > 0 ? *model.sigma1_at(x, target.sigma3) : model.predict_one(*model.find(target.response), inputs));
     }
     return out;
   }
@@ -111,7 +111,7 @@ Candidate candidate_of(const Search& search, std::vector<double> x) {
   for (std::size_t t = 0; t < out.estimates.size(); ++t) {
     const Target& target = search.question.targets[t];
     const Estimate& e = out.estimates[t];
-    const double spread = std::max(1e-300, (e.high - e.low) / (2 * kNormal90));
+    const double spread = std::max(1e-300, (e.mean_high - e.mean_low) / (2 * kNormal90));
     out.probability *= normal_below((target.value + target.tolerance - e.value) / spread) - normal_below((target.value - target.tolerance - e.value) / spread);
     out.miss = std::max(out.miss, std::abs(e.value - target.value) / target.tolerance);
   }

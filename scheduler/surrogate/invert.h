@@ -7,7 +7,7 @@ namespace regolab::surrogate {
 struct Candidate {
   std::vector<double> x;            ///< [n_columns]
   std::vector<Estimate> estimates;  ///< [n_targets]
-  double probability = 0;           ///< that a run of it meets every target, by the model
+  double probability = 0;           ///< that its mean over many runs meets every target, by the model
   double miss = 0;                  ///< largest |prediction - target| / tolerance
 };
 

@@ -13,7 +13,7 @@ namespace {
 
 /// What the article's study uses where its functions leave a parameter out.
 const std::map<std::string, std::string>& usual() {
-  static const std::map<std::string, std::string> all{{"rotation", "xz"}, {"gravity", "1.63 m/s2"}, {"profile", "quick"},
+  static const std::map<std::string, std::string> all{{"rotation", "xz"}, {"gravity", "1.63 m/s2"}, {"profile", "quick"}, {"particles", "300"},
                                                       {"particle_density", "2.93 g/cm3"}};
   return all;
 }

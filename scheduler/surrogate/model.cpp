@@ -17,7 +17,7 @@ struct Band {
   double centre, of_mean, of_run;  // as modelled; half widths
 };
 
-Band band_of(const ResponseModel& response, const Eigen::VectorXd& x) {
+Band band_of(const ResponseModel& response, const Inputs& x) {
   const auto p = response.predict(x);
   const double width = kNormal90 * response.inflation;
   return {p.mean, width * std::sqrt(p.variance), width * std::sqrt(p.variance + p.noise)};
@@ -31,13 +31,13 @@ Estimate estimate_of(const std::string& id, const std::string& unit, bool logari
 
 }  // namespace
 
-GaussianProcess::Prediction ResponseModel::predict(const Eigen::VectorXd& scaled) const {
+GaussianProcess::Prediction ResponseModel::predict(const Inputs& inputs) const {
   GaussianProcess::Prediction out;
   for (std::size_t k = 0; k < processes.size(); ++k) {
-    const auto p = processes[k]->predict(scaled);
+    const auto p = processes[k]->predict(inputs.scaled);
     out.mean += weight[k] * p.mean;
     out.variance += weight[k] * weight[k] * p.variance;
-    out.noise += weight[k] * weight[k] * p.noise;
+    out.noise += weight[k] * weight[k] * p.noise / inputs.grains;
   }
   return out;
 }
@@ -47,14 +47,14 @@ const ResponseModel* Model::find(const std::string& response) const {
   return found == responses.end() ? nullptr : &*found;
 }
 
-Estimate Model::predict_one(const ResponseModel& r, const Eigen::VectorXd& scaled) const {
-  return estimate_of(r.id, r.unit, r.logarithm, band_of(r, scaled));
+Estimate Model::predict_one(const ResponseModel& r, const Inputs& inputs) const {
+  return estimate_of(r.id, r.unit, r.logarithm, band_of(r, inputs));
 }
 
 std::vector<Estimate> Model::predict(const std::vector<double>& x) const {
-  const Eigen::VectorXd scaled = features_of(data.columns, x);
+  const Inputs inputs = inputs_of(data.columns, x);
   std::vector<Estimate> out;
-  for (const ResponseModel& r : responses) out.push_back(predict_one(r, scaled));
+  for (const ResponseModel& r : responses) out.push_back(predict_one(r, inputs));
   return out;
 }
 
@@ -67,10 +67,10 @@ std::optional<Estimate> Model::sigma1_at(const std::vector<double>& x, double si
   for (const auto& [stress, response] : known) stresses.push_back(stress);
   const auto place = between(stresses, sigma3);
   if (!place) return std::nullopt;
-  const Eigen::VectorXd scaled = features_of(data.columns, x);
-  const Band a = band_of(*known.at(stresses[place->low]), scaled);
+  const Inputs inputs = inputs_of(data.columns, x);
+  const Band a = band_of(*known.at(stresses[place->low]), inputs);
   if (known.size() == 1) return estimate_of(known.begin()->second->id, "Pa", true, a);
-  const Band b = band_of(*known.at(stresses[place->low + 1]), scaled);
+  const Band b = band_of(*known.at(stresses[place->low + 1]), inputs);
   const double w = place->share;
   // Errors at two stresses share their bed: bands add as if fully correlated.
   const auto mix = [w](double p, double q) { return (1 - w) * p + w * q; };
@@ -81,7 +81,7 @@ std::optional<Estimate> Model::sigma1_at(const std::vector<double>& x, double si
 std::vector<Estimate> Model::curve_at(const std::vector<double>& x, double sigma3) const {
   if (!curves) return {};
   std::vector<Estimate> out;
-  const auto at = curves_at(*curves, features_of(data.columns, x), sigma3);
+  const auto at = curves_at(*curves, inputs_of(data.columns, x), sigma3);
   for (std::size_t k = 0; k < at.size(); ++k) {
     const Band band{at[k].mean, kNormal90 * at[k].of_mean, kNormal90 * at[k].of_run};
     out.push_back(estimate_of("sigma1_at_strain_" + std::to_string(k) + "percent", "Pa", true, band));

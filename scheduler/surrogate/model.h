@@ -44,7 +44,7 @@ struct ResponseModel {
   Skill skill;                   ///< each material left out in turn
 
   /// As modelled, that is of the logarithm where it is.
-  GaussianProcess::Prediction predict(const Eigen::VectorXd& scaled) const;
+  GaussianProcess::Prediction predict(const Inputs& inputs) const;
 };
 
 /// Stress-strain curves: the logarithms of sigma1 over strain and confining stress, in few principal components.
@@ -66,7 +66,7 @@ struct Model {
 
   /// REQUIRES: x has one value per column.
   std::vector<Estimate> predict(const std::vector<double>& x) const;
-  Estimate predict_one(const ResponseModel& response, const Eigen::VectorXd& scaled) const;
+  Estimate predict_one(const ResponseModel& response, const Inputs& inputs) const;
   /// Null when it is not modelled.
   const ResponseModel* find(const std::string& response) const;
   /// sigma1 [Pa] at a confining stress between those of the data, by interpolation of logarithms. Empty: outside, or not modelled.

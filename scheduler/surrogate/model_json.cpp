@@ -79,7 +79,7 @@ const Parsed& said_of(const Parsed& in, const std::string& response) {
 
 Model model_from(const Parsed& in) {
   Model model{.name = in.at("name"), .physics_version = in.at("physics_version"), .data = dataset_from(in), .responses = {}, .curves = {}};
-  const auto width = static_cast<std::size_t>(features_of(model.data.columns, model.data.rows.front().x).size());
+  const auto width = static_cast<std::size_t>(inputs_of(model.data.columns, model.data.rows.front().x).scaled.size());
   const auto checked = [&](const Parsed& j) {
     Hyperparameters h = hyper_of(j);
     if (h.log_length.size() != width) throw std::out_of_range("hyperparameters do not fit the columns");

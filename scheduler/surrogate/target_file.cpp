@@ -154,7 +154,8 @@ class TargetReader {
         const auto value = static_cast<double>(k);
         if (std::ranges::any_of(model_.data.rows, [&](const DataRow& row) { return row.x[c] == value; })) span.choices.push_back(value);
       }
-      if (column.name == "profile") span.choices.resize(1);
+      if (column.is_choice() && is_of_the_run(column.name)) span.choices.resize(1);
+      if (!column.is_choice() && is_of_the_run(column.name)) span.high = span.low;  // the cheapest run, unless the file says otherwise
       spans.push_back(std::move(span));
     }
   }

@@ -27,7 +27,8 @@ keep() {
 
 keep box "$here/box.yaml"
 keep box-more "$here/box-more.yaml"
+keep box-large "$here/box-large.yaml"
 keep l32-quick "$root/client/examples/article-l32.yaml" --seeds 3
-keep l32-standard "$root/client/examples/article-l32.yaml" --profile standard --seeds "${REGOLAB_STANDARD_SEEDS:-3}"  # shipped: 1
+keep l32-standard "$root/client/examples/article-l32.yaml" --profile standard --seeds 3
 cp "$scratch/cost.txt" "$data/cost.txt"
 "$regolab" train "${ids[@]}" --name "article's box" -o "$data/model.json" --db "$db"

@@ -78,39 +78,66 @@ pb::InvertReply reply() {
     (*c.mutable_set())["theta_F"] = std::string(theta) + " deg";
     (*c.mutable_set())["N_E"] = "4";
     (*c.mutable_set())["profile"] = "standard";
+    (*c.mutable_set())["particles"] = "1600";
     c.set_design_row(std::string(theta) + ",4");
   }
   return out;
 }
 
+std::vector<pb::Candidate> both() { return {reply().candidates(0), reply().candidates(1)}; }
+
 TEST(Confirmation, WhatDiffersIsATableTheRestIsFixed) {
-  const auto request = confirmation_design(reply(), 2, 4, "invert");
+  const auto request = confirmation_design(reply(), both(), {.first = 5, .count = 2}, "invert");
   EXPECT_EQ(request.attachments().at("candidates.csv"), "theta_F_deg\n20\n30\n");
-  for (const char* part : {"seeds: 4", "profile: standard", "fixed: {N_E: 4}", "sigma3: [2.5 kPa]", "density, stress]"}) {
+  for (const char* part : {"seeds: [5, 6]", "profile: standard", "particles: 1600", "fixed: {N_E: 4}", "sigma3: [2.5 kPa]", "density, stress]"}) {
     EXPECT_THAT(request.design_yaml(), HasSubstr(part));
   }
   EXPECT_EQ(runs_of_one(reply()), 2U) << "settling and one stress test; no repose was asked for";
 }
 
-TEST(Confirmation, MeansAndMissesAreOverTheSeedsThereAre) {
+/// Two rows a seed: density of points 1 and 2, stress of point 1.
+pb::ResultsReply measured(std::vector<double> first, std::vector<double> second) {
   pb::ResultsReply results;
   auto& density = *results.add_responses();
   density.set_id("bulk_density"), density.set_unit_si("kg/m3");
   auto& stress = *results.add_responses();
   stress.set_id("sigma1_at_sigma3_2.5kPa"), stress.set_unit_si("Pa");
-  for (const auto& [point, rho] : {std::pair{1, 1600.0}, {1, 1620.0}, {2, 1500.0}}) {
-    auto& row = *results.add_rows();
-    row.set_point(point);
-    (*row.mutable_value_si())["bulk_density"] = rho;
-    if (point == 1) (*row.mutable_value_si())["sigma1_at_sigma3_2.5kPa"] = 8100;
+  for (const int point : {1, 2}) {
+    for (const double rho : point == 1 ? first : second) {
+      auto& row = *results.add_rows();
+      row.set_point(point);
+      (*row.mutable_value_si())["bulk_density"] = rho;
+      if (point == 1) (*row.mutable_value_si())["sigma1_at_sigma3_2.5kPa"] = 8100 + rho / 1000;
+    }
   }
-  const auto found = confirmed_of(reply(), 2, "e", results);
-  EXPECT_NEAR(found[0].mean[0], 1.61, 1e-12);
-  EXPECT_NEAR(found[0].standard_error[0], 0.01, 1e-12);
-  EXPECT_NEAR(found[0].miss, 0.01 / 0.016, 1e-9);
-  EXPECT_EQ(found[0].seeds, 2);
-  EXPECT_TRUE(std::isnan(found[1].mean[1])) << "no stress was measured";
-  EXPECT_TRUE(std::isinf(found[1].miss));
+  return results;
+}
+
+TEST(Confirmation, MeansAndMissesAreOverTheSeedsThereAre) {
+  std::vector<Confirmed> tried;
+  learn(reply(), both(), "e", measured({1600, 1620}, {1500}), tried);
+  const MeasuredTarget& density = tried[0].targets[0];
+  EXPECT_NEAR(density.mean(), 1.61, 1e-12);
+  EXPECT_NEAR(density.standard_error(), 0.01, 1e-12);
+  EXPECT_NEAR(density.miss(), 0.01 / 0.016, 1e-9);
+  EXPECT_TRUE(tried[0].met());
+  EXPECT_TRUE(std::isnan(tried[1].targets[1].mean())) << "no stress was measured";
+  EXPECT_TRUE(std::isinf(tried[1].miss()));
+  EXPECT_EQ(best_of(tried), &tried[0]);
+}
+
+TEST(Confirmation, AMeanThatFitsByChanceCollectsMoreBeds) {
+  std::vector<Confirmed> tried;
+  learn(reply(), both(), "e1", measured({1560, 1640}, {1500, 1500}), tried);
+  EXPECT_LE(tried[0].miss(), 1);
+  EXPECT_FALSE(tried[0].met()) << "known to 0.04 only, 0.016 was asked for";
+  auto next = next_round(tried, reply(), 2);
+  ASSERT_EQ(next.size(), 1U) << "the other was run and missed, and nothing else is proposed";
+  EXPECT_EQ(next[0].design_row(), "20,4");
+  learn(reply(), next, "e2", measured({1590, 1600, 1610, 1600, 1595, 1605, 1600, 1600}, {}), tried);
+  EXPECT_EQ(tried[0].targets[0].runs.size(), 10U);
+  EXPECT_TRUE(tried[0].met());
+  EXPECT_EQ(tried[0].experiments, (std::vector<std::string>{"e1", "e2"}));
 }
 
 }  // namespace

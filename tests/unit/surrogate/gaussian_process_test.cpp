@@ -13,7 +13,7 @@ Observations wavy(int n, double noise) {
     const double a = std::fmod(0.5 + 0.7548776662 * i, 1.0), b = std::fmod(0.5 + 0.5698402910 * i, 1.0);  // spread over the square
     o.x.row(i) << a, b;
     o.y[i] = 3 + 2 * std::sin(4 * a) + b + noise * (2 * std::abs(std::fmod(43758.5453 * std::sin(12.9898 * i), 1.0)) - 1);
-    o.seeds[i] = 1 + i % 3;
+    o.runs[i] = 1 + i % 3;
   }
   return o;
 }
@@ -51,7 +51,7 @@ TEST(GaussianProcess, LeavingGroupsOutIsConditioningOnTheRest) {
   for (int i = 0; i < 30; ++i) group[static_cast<std::size_t>(i)] = i / 2;
   const auto left_out = GaussianProcess(all, h).leave_groups_out(group);
   Observations rest{Eigen::MatrixXd(28, 2), Eigen::VectorXd(28), Eigen::VectorXd(28)};
-  for (int i = 2; i < 30; ++i) rest.x.row(i - 2) = all.x.row(i), rest.y[i - 2] = all.y[i], rest.seeds[i - 2] = all.seeds[i];
+  for (int i = 2; i < 30; ++i) rest.x.row(i - 2) = all.x.row(i), rest.y[i - 2] = all.y[i], rest.runs[i - 2] = all.runs[i];
   for (const int i : {0, 1}) {
     const auto p = GaussianProcess(rest, h).predict(all.x.row(i));
     // The outputs are standardised with and without the group, so prior scales differ a little.
@@ -64,7 +64,7 @@ TEST(GaussianProcess, MoreSeedsLeaveLessDoubt) {
   Observations o = wavy(20, 0.1);
   const Hyperparameters h{.log_length = {0, 0}, .log_signal = 0, .log_trend = -2, .log_noise = -1};
   const double before = GaussianProcess(o, h).predict(o.x.row(0)).variance;
-  o.seeds *= 10;
+  o.runs *= 10;
   EXPECT_LT(GaussianProcess(o, h).predict(o.x.row(0)).variance, 0.5 * before);
 }
 

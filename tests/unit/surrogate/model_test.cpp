@@ -36,7 +36,7 @@ TEST(Dataset, AveragesSeedsAndEncodesChoices) {
   EXPECT_EQ(data->rows[0].mean.at("bulk_density").seeds, 3);
   EXPECT_NEAR(data->rows[0].mean.at("bulk_density").value, true_density(1, 0.5, 0), 1e-9);
   EXPECT_NEAR(data->columns[0].low, 1 * kDegree, 1e-12);
-  EXPECT_EQ(features_of(data->columns, data->rows[1].x).size(), 2 + 4) << "two numbers and one-hot N_E";
+  EXPECT_EQ(inputs_of(data->columns, data->rows[1].x).scaled.size(), 2 + 4) << "two numbers and one-hot N_E";
 }
 
 TEST(Dataset, JoinsExperimentsByWhatTheyVaryAndMergesOneMaterial) {
