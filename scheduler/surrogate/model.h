@@ -28,7 +28,7 @@ struct Skill {
   double r = 0, r2 = 0;         ///< correlation; share of the variance explained. Of the logarithm where the response is modelled so
   double rms = 0;               ///< [SI]
   double relative = 0;          ///< mean of |error / measured|
-  double coverage = 0;          ///< share of held-out points inside their 90 % band
+  double coverage = 0;          ///< share of held-out points inside their 90 % band, its width set by other points
 };
 
 /// One property is one process. The values of a property at several confining stresses are a family: its processes are the level,
