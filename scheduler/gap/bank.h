@@ -49,10 +49,12 @@ struct BankSource {
 /// feature are left out. Features come in the order of all_features; one that no row has is no column.
 Bank bank_of(const std::vector<BankSource>& sources);
 
-/// CSV, seven significant digits: experiment, point, seed, profile, inputs (`K_N_N_per_m`), `|`, features (`bulk_density`, SI), empty = missing.
+/// CSV, seven significant digits, SI, units in the names: experiment, point, seed, profile, inputs (`K_N_N_per_m`), features
+/// (`bulk_density_kg_per_m3`); an empty cell is a missing feature.
 std::string bank_csv(const Bank& bank);
 
-/// Every problem at its place: missing columns, unknown features, cells that are no numbers, rows of another length, a row twice.
+/// A column whose name is no feature's is an input. Every problem at its place: missing columns, cells that are no numbers, rows of
+/// another length, a row twice.
 Read<Bank> read_bank(const std::string& file_name, const std::string& text);
 
 inline constexpr std::size_t kLargestBank = 64 << 20;  ///< [bytes] of a file
