@@ -131,15 +131,15 @@ RawCurve read_curve(const YamlNode& node, const std::string& path, int repeats, 
 }
 
 template <class Raw, class ReadOne>
-void read_list(MapReader& top, const std::string& key, int repeats, std::vector<Raw>& out, Report& report, const ReadOne& read_one) {
+void read_list(MapReader& top, const char* key, int repeats, std::vector<Raw>& out, Report& report, const ReadOne& read_one) {
   const YamlNode* list = top.get(key);
   if (!list) return;
   if (!list->is_list()) {
-    report.add(list->place, key + " is " + std::string(name_of(list->kind)) + " (must be a list) write `- id: ...` for each entry");
+    report.add(list->place, std::string(key) + " is " + std::string(name_of(list->kind)) + " (must be a list) write `- id: ...` for each entry");
     return;
   }
   for (std::size_t i = 0; i < list->items.size(); ++i) {
-    Raw raw = read_one(list->items[i], key + "[" + std::to_string(i + 1) + "]", repeats, report);
+    Raw raw = read_one(list->items[i], std::string(key) + "[" + std::to_string(i + 1) + "]", repeats, report);
     if (!raw.id.empty()) out.push_back(std::move(raw));
   }
 }
