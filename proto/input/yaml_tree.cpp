@@ -15,7 +15,7 @@ Place place_of(const YAML::Mark& mark) { return {mark.line + 1, mark.column + 1}
 /// Builds the tree from yaml-cpp's events; its own Node type would lose duplicate keys silently.
 class TreeBuilder : public YAML::EventHandler {
  public:
-  explicit TreeBuilder(Report& report) : report_(report) {}
+  TreeBuilder(Report& report, const YamlLimits& limits) : report_(report), limits_(limits) {}
 
   std::optional<YamlNode> take_root() { return std::move(root_); }
 
@@ -75,7 +75,7 @@ class TreeBuilder : public YAML::EventHandler {
     add(std::move(node));
   }
   void add(YamlNode node) {
-    if (depth_ > kDeepest) return;
+    if (depth_ > kDeepest || too_many(node.place)) return;
     if (open_.empty()) {
       root_ = std::move(node);
     } else if (YamlNode& parent = open_.back(); !parent.is_map() || parent.keys.size() > parent.items.size()) {
@@ -84,7 +84,22 @@ class TreeBuilder : public YAML::EventHandler {
       add_key(parent, node);
     }
   }
+  /// The rest of a file with too many values is parsed but not kept; open maps and lists still close.
+  bool too_many(Place place) {
+    if (++values_ <= limits_.values || open_.empty()) return false;
+    if (values_ == limits_.values + 1) {
+      report_.add(place, "more than " + std::to_string(limits_.values) + " values (the limit) " + std::string(limits_.remedy));
+    }
+    return true;
+  }
   void add_key(YamlNode& parent, const YamlNode& key) {
+    if (parent.keys.size() == kMostKeys) {
+      report_.add(key.place, "more than " + std::to_string(kMostKeys) + " keys in one map (the limit) remove the others");
+    }
+    if (parent.keys.size() >= kMostKeys) {
+      parent.keys.push_back({});
+      return;
+    }
     if (!key.is_scalar()) {
       report_.add(key.place,
                   "a key that is " + std::string(name_of(key.kind)) + " (keys are plain names) write `name: value`");
@@ -99,6 +114,8 @@ class TreeBuilder : public YAML::EventHandler {
   }
 
   Report& report_;
+  const YamlLimits limits_;
+  std::size_t values_ = 0;
   std::vector<YamlNode> open_;
   std::optional<YamlNode> root_;
   int depth_ = 0;
@@ -133,10 +150,10 @@ std::string hex_byte(char c) {
   return std::string("0x") + kDigits[byte >> 4] + kDigits[byte & 15];
 }
 
-bool check_bytes(std::string_view text, Report& report) {
-  if (text.size() > kLargestFile) {
-    report.add({}, "file of " + std::to_string(text.size()) + " bytes (the limit is " + std::to_string(kLargestFile) +
-                       ") put long tables into a CSV file");
+bool check_bytes(std::string_view text, const YamlLimits& limits, Report& report) {
+  if (text.size() > limits.bytes) {
+    report.add({}, "file of " + std::to_string(text.size()) + " bytes (the limit is " + std::to_string(limits.bytes) + ") " +
+                       std::string(limits.remedy));
     return false;
   }
   if (const auto bad = first_bad_byte(text)) {
@@ -171,9 +188,9 @@ std::optional<std::size_t> first_bad_byte(std::string_view text) {
   return std::nullopt;
 }
 
-std::optional<YamlNode> parse_yaml(std::string_view text, Report& report) {
-  if (!check_bytes(text, report)) return std::nullopt;
-  TreeBuilder builder(report);
+std::optional<YamlNode> parse_yaml(std::string_view text, Report& report, const YamlLimits& limits) {
+  if (!check_bytes(text, limits, report)) return std::nullopt;
+  TreeBuilder builder(report, limits);
   try {
     std::istringstream stream{std::string(text)};
     YAML::Parser parser(stream);
@@ -182,7 +199,7 @@ std::optional<YamlNode> parse_yaml(std::string_view text, Report& report) {
       return std::nullopt;
     }
     auto root = builder.take_root();
-    TreeBuilder rest(report);
+    TreeBuilder rest(report, limits);
     if (parser.HandleNextDocument(rest)) {
       const auto second = rest.take_root();
       report.add(second ? second->place : Place{},

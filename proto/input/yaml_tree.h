@@ -34,11 +34,18 @@ std::string_view name_of(YamlNode::Kind kind);
 
 inline constexpr std::size_t kLargestFile = 1 << 20;  ///< [bytes]; a design of 4096 rows takes a quarter of it
 inline constexpr int kDeepest = 16;                   ///< levels of nesting; our files use 4
+inline constexpr std::size_t kMostKeys = 10000;       ///< of one map; each is compared with all others
+
+struct YamlLimits {
+  std::size_t bytes = kLargestFile;
+  std::size_t values = 1 << 20;  ///< keys and values; a hundred bytes of memory each
+  std::string_view remedy = "put long tables into a CSV file";
+};
 
 /// What cannot be parsed (not text, not UTF-8, too large, too deep, bad YAML, empty) is reported and gives nothing; what can
 /// be parsed but is refused (duplicate key, alias, tag) is reported and the rest of the tree is given, so that all errors
 /// show.
-std::optional<YamlNode> parse_yaml(std::string_view text, Report& report);
+std::optional<YamlNode> parse_yaml(std::string_view text, Report& report, const YamlLimits& limits = {});
 
 /// The first byte that keeps `text` from being UTF-8 text without control characters; nothing when all is well.
 std::optional<std::size_t> first_bad_byte(std::string_view text);

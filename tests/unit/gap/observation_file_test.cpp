@@ -1,0 +1,2 @@
+#include "scheduler/gap/observation_file.h"
+#include <gtest/gtest.h>
