@@ -12,7 +12,8 @@
 namespace regolab::surrogate {
 namespace {
 
-constexpr std::string_view kModelled[] = {"contacts_per_particle", "bulk_density", "void_ratio", "core_density", "repose_angle"};
+constexpr std::string_view kModelled[] = {"contacts_per_particle", "bulk_density", "void_ratio", "core_density",
+                                           "repose_angle", "repose_angle_wedge", "repose_angle_whole"};
 constexpr std::string_view kModelledFamilies[] = {"sigma1_at_sigma3_", "sigma1_peak_at", "E50_at", "penetration_"};
 
 constexpr int kFolds = 10;
