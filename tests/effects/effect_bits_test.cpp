@@ -8,11 +8,16 @@
 namespace regolab::test {
 namespace {
 
-World heap() {
+World falling() {
   World world = swarm({.clusters = 61, .seed = 4, .gravity = 500});
   world.law.effects = {.rolling = 0.3, .cohesion = 2000, .hertz = 0.5, .hertz_overlap = 1e-5, .hertz_most = 25, .wall_compliance = 2};
   world.dt = dem::stable_step(world, 0.15);
   world.slabs = 8;
+  return world;
+}
+
+World heap() {
+  World world = falling();
   run(world, 24000);
   EXPECT_GT(dem::contacts(world).size(), 30U) << "too little happens";
   EXPECT_GT(world.near_pairs.rx.size(), 0U);
@@ -40,10 +45,10 @@ TEST(EffectBits, DoNotDependOnThreadsOrTheWidthOfTheLoops) {
 }
 
 TEST(EffectBits, DoNotDependOnTheSkinOfTheLists) {
-  World thin = heap(), thick = thin;
+  World thin = falling(), thick = thin;
   thin.skin *= 0.3;
-  run(thin, 2000);
-  run(thick, 2000);
+  run(thin, 12000);
+  run(thick, 12000);
   EXPECT_NE(thin.list_builds, thick.list_builds);
   thin.skin = thick.skin;
   EXPECT_TRUE(state_bytes(thin) == state_bytes(thick));
