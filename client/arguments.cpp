@@ -167,6 +167,10 @@ struct Tree {
           return word.starts_with('-') ? "a whole number from 0 is wanted, not " + word : std::string();
         })
         ->type_name("N");
+    auto* effects = app.add_subcommand("effects", "candidate effects that the base model leaves out");
+    effects->require_subcommand(1);
+    effects->fallthrough();
+    verb(*effects, "ls", "name, parameter, prior range, stages it acts in, law, what it moves, source, version");
     verb(app, "version", "versions of program and physics");
     auto* completion = verb(app, "completion", "a completion script for bash: source <(regolab completion)");
     completion->add_option("SHELL", arguments.shell, "bash")->check(CLI::IsMember({"bash"}));

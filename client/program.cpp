@@ -39,6 +39,7 @@ const std::map<std::string, Verb>& verbs() {
       {"article check", check_article},
       {"article compare", compare_article},
       {"article functions", article_functions},
+      {"effects ls", list_effects},
       {"version", version},
       {"completion", completion},
   };

@@ -26,6 +26,7 @@ Outcome invert(const Arguments& arguments, Console& console);
 Outcome check_article(const Arguments& arguments, Console& console);
 Outcome compare_article(const Arguments& arguments, Console& console);
 Outcome article_functions(const Arguments& arguments, Console& console);
+Outcome list_effects(const Arguments& arguments, Console& console);
 Outcome version(const Arguments& arguments, Console& console);
 Outcome completion(const Arguments& arguments, Console& console);
 

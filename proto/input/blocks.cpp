@@ -179,6 +179,22 @@ std::vector<std::string_view> read_numerics(MapReader& top, Settings& settings, 
   return set;
 }
 
+std::vector<std::string_view> read_effects(MapReader& top, Settings& settings, Report& report) {
+  std::vector<std::string_view> set;
+  const YamlNode* node = top.get("effects");
+  if (node == nullptr) return set;
+  MapReader block(*node, "effects", report);
+  for (const Field& field : all_fields()) {
+    if (field.group != Field::Group::kEffect) continue;
+    const YamlNode* value = block.get(field.name);
+    if (value == nullptr) continue;
+    set.push_back(field.name);
+    if (const auto si = read_field(field, *value, "", block.path_of(field.name), report)) field.set(settings, *si);
+  }
+  block.finish();
+  return set;
+}
+
 DampingUnit read_damping_unit(MapReader& block, Report& report) {
   const YamlNode* node = block.get("damping_unit");
   if (node == nullptr) return DampingUnit::kAbsolute;

@@ -31,6 +31,9 @@ void read_box(MapReader& top, Numerics& numerics, Report& report);
 /// `particles:` and every key of the `numerics:` block; gives the names that were set.
 std::vector<std::string_view> read_numerics(MapReader& top, Settings& settings, Report& report);
 
+/// `effects: {rolling_resistance: 0.3, cohesion: 200 Pa}`; gives the names that were set. A variant without its effect is told.
+std::vector<std::string_view> read_effects(MapReader& top, Settings& settings, Report& report);
+
 /// `damping_unit:` of a micro or fixed block.
 DampingUnit read_damping_unit(MapReader& block, Report& report);
 

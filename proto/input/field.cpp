@@ -1,7 +1,9 @@
 #include "input/field.h"
 
 #include <algorithm>
+#include <vector>
 
+#include "input/effect_field.h"
 #include "input/number_text.h"
 #include "vocab/units.h"
 
@@ -182,11 +184,19 @@ constexpr double kLargestRatio = 10;  // of critical damping; far over-damped al
 
 }  // namespace
 
-std::span<const Field> all_fields() { return kFields; }
+std::span<const Field> all_fields() {
+  static const std::vector<Field> all = [] {
+    std::vector<Field> fields(std::begin(kFields), std::end(kFields));
+    const auto effects = effect_fields();
+    fields.insert(fields.end(), effects.begin(), effects.end());
+    return fields;
+  }();
+  return all;
+}
 
 const Field* find_field(std::string_view name) {
-  const auto found = std::ranges::find(kFields, name, &Field::name);
-  return found == std::end(kFields) ? nullptr : found;
+  const auto found = std::ranges::find(all_fields(), name, &Field::name);
+  return found == all_fields().end() ? nullptr : &*found;
 }
 
 std::string_view door_unit_of(const Field& field) { return door_unit(field.si).name; }

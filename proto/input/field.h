@@ -11,6 +11,7 @@ namespace regolab {
 struct Settings {
   Micro micro;
   Numerics numerics;
+  EffectSet effects;
 };
 
 struct Choice {
@@ -20,7 +21,7 @@ struct Choice {
 };
 
 struct Field {
-  enum class Group { kMicro, kMaterial, kSize, kNumerics };  ///< needed / has a default / `particles` / `numerics:` block
+  enum class Group { kMicro, kMaterial, kSize, kNumerics, kEffect };  ///< needed / has a default / `particles` / `numerics:` / `effects:`
   Group group = Group::kMicro;
   std::string_view name;
   std::string_view si;                       ///< "1" for pure numbers, counts and choices

@@ -59,6 +59,7 @@ Read<Job> read_job(std::string_view text, const std::string& file_name) {
   if (const YamlNode* seed = top.get("seed")) job.seed = read_whole(*seed, 0, kLargestSeed, "seed", report).value_or(1);
   read_numerics(top, settings, report);
   read_box(top, settings.numerics, report);
+  read_effects(top, settings, report);
   read_micro(top, settings, report);
   check_box(top, settings, report);
   Tests tests = read_tests(top, report);
@@ -66,6 +67,7 @@ Read<Job> read_job(std::string_view text, const std::string& file_name) {
   top.finish();
   job.micro = settings.micro;
   job.numerics = settings.numerics;
+  job.effects = settings.effects;
   job.repose = tests.repose;
   job.confining_stresses = std::move(tests.confining_stresses);
   job.plates = std::move(tests.plates);

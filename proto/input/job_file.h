@@ -14,6 +14,7 @@ struct Job {
   std::string profile = "quick";
   std::uint64_t seed = 1;
   Micro micro;
+  EffectSet effects;    ///< all 0 = the base model
   Numerics numerics;  ///< the profile's, with what the file overrides
   bool repose = false;
   std::vector<double> confining_stresses;  ///< sigma3 of the stress tests [Pa]; empty = none

@@ -52,6 +52,17 @@ bool finite(std::initializer_list<double> values) {
   return true;
 }
 
+Result<EffectSet> effects_from(const v1::StageSpec& spec) {
+  EffectSet effects;
+  for (const auto& [name, strength] : spec.effects()) {
+    const EffectInfo* info = find_effect(name);
+    if (info == nullptr) return invalid("stage refused (unknown effect '" + name + "'), update the older of worker and scheduler");
+    if (!std::isfinite(strength)) return invalid("stage refused (effect " + name + " is not a finite number)");
+    effects[info->id] = strength;
+  }
+  return effects;
+}
+
 }  // namespace
 
 v1::StageSpec to_proto(const StageSpec& spec) {
@@ -61,6 +72,9 @@ v1::StageSpec to_proto(const StageSpec& spec) {
   out.set_confining_stress_pa(spec.confining_stress);
   out.set_plate_width_m(spec.plate.width);
   out.set_plate_thickness_m(spec.plate.thickness);
+  for (const EffectInfo& info : all_effects()) {
+    if (spec.effects[info.id] != 0) (*out.mutable_effects())[std::string(info.name)] = spec.effects[info.id];
+  }
   v1::Micro& m = *out.mutable_micro();
   m.set_friction_angle_rad(spec.micro.friction_angle);
   m.set_normal_stiffness_n_per_m(spec.micro.normal_stiffness);
@@ -95,6 +109,8 @@ Result<StageSpec> from_proto(const v1::StageSpec& spec) {
       m.kind() == v1::PARTICLE_KIND_UNSPECIFIED) {
     return invalid("stage refused (an unknown kind, rotation or damping unit), update the older of worker and scheduler");
   }
+  const auto effects = effects_from(spec);
+  if (!effects.ok()) return effects.error();
   StageSpec out{.kind = static_cast<StageKind>(spec.kind()),
                 .micro = {.friction_angle = m.friction_angle_rad(),
                           .normal_stiffness = m.normal_stiffness_n_per_m(),
@@ -119,7 +135,8 @@ Result<StageSpec> from_proto(const v1::StageSpec& spec) {
                              .axial_strain = n.axial_strain()},
                 .seed = spec.seed(),
                 .confining_stress = spec.confining_stress_pa(),
-                .plate = {.width = spec.plate_width_m(), .thickness = spec.plate_thickness_m()}};
+                .plate = {.width = spec.plate_width_m(), .thickness = spec.plate_thickness_m()},
+                .effects = *effects};
   const Micro& c = out.micro;
   const Numerics& d = out.numerics;
   if (!finite({c.friction_angle, c.normal_stiffness, c.normal_damping, c.tangential_stiffness, c.tangential_damping,

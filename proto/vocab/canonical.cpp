@@ -1,17 +1,14 @@
 #include "vocab/canonical.h"
 
-#include <charconv>
 #include <cmath>
 #include <map>
+
+#include "vocab/exact_text.h"
 
 namespace regolab {
 namespace {
 
-std::string shortest(double value) {
-  char buffer[32];
-  const auto end = std::to_chars(buffer, buffer + sizeof buffer, value == 0 ? 0.0 : value);  // -0 and 0 are one value
-  return {buffer, end.ptr};
-}
+std::string shortest(double value) { return exact_text(value); }
 
 using Fields = std::map<std::string, std::string>;  // sorted by name
 
@@ -48,6 +45,25 @@ Fields bed_fields(const StageSpec& spec) {
   };
 }
 
+/// One line per effect that is on: its name, version and strength. The bed's effects stand with the bed, a test's own with the test.
+std::string effect_lines(const EffectSet& effects) {
+  Fields lines;
+  for (const EffectInfo& info : all_effects()) {
+    if (effects[info.id] == 0) continue;
+    lines["effect " + std::string(info.name)] = shortest(effects[info.id]) + " version " + std::to_string(info.version);
+  }
+  return join(lines);
+}
+
+/// Effects of a stage that its bed does not have.
+EffectSet beyond_the_bed(const StageSpec& spec) {
+  EffectSet own = acting_in(spec.effects, spec.kind);
+  for (const EffectInfo& info : all_effects()) {
+    if ((info.acts_in & acts::kSettle) != 0) own[info.id] = 0;
+  }
+  return own;
+}
+
 }  // namespace
 
 Base base_of(const StageSpec& spec) {
@@ -58,7 +74,8 @@ Base base_of(const StageSpec& spec) {
 }
 
 std::string canonical_text(const StageSpec& spec) {
-  std::string text = "regolab stage, physics " + std::to_string(kPhysicsVersion) + "\n[settle]\n" + join(bed_fields(spec));
+  std::string text = "regolab stage, physics " + std::to_string(kPhysicsVersion) + "\n[settle]\n" + join(bed_fields(spec)) +
+                     effect_lines(acting_in(spec.effects, StageKind::kSettle));
   switch (spec.kind) {
     case StageKind::kSettle: break;
     case StageKind::kFabric: text += "[fabric]\n"; break;
@@ -75,7 +92,7 @@ std::string canonical_text(const StageSpec& spec) {
                                         {"plate_width", shortest(spec.plate.width)}});
       break;
   }
-  return text;
+  return spec.kind == StageKind::kSettle ? text : text + effect_lines(beyond_the_bed(spec));
 }
 
 }  // namespace regolab

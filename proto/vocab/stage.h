@@ -4,6 +4,7 @@
 #include <string>
 #include <string_view>
 
+#include "vocab/effects.h"
 #include "vocab/micro.h"
 #include "vocab/plate.h"
 
@@ -54,6 +55,7 @@ struct StageSpec {
   std::uint64_t seed = 1;
   double confining_stress = 0;         ///< sigma3 [Pa], stress stages only
   PlateSize plate;                     ///< penetration stages only
+  EffectSet effects;                     ///< of those, only acting_in(kind) are meant
 
   bool operator==(const StageSpec&) const = default;
 };
@@ -64,6 +66,7 @@ inline bool needs_bed(StageKind kind) { return kind != StageKind::kSettle; }
 /// The settle stage whose bed this stage starts from.
 inline StageSpec parent_of(StageSpec spec) {
   spec.kind = StageKind::kSettle;
+  spec.effects = acting_in(spec.effects, spec.kind);
   spec.confining_stress = 0;
   spec.plate = {};
   return spec;

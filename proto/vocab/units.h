@@ -14,12 +14,13 @@ struct DoorUnit {
   double factor;
 };
 
-/// The article's unit for an SI unit: kg/m3 -> g/cm3, Pa -> kPa, rad -> deg, m -> cm; others stay.
+/// The article's unit for an SI unit: kg/m3 -> g/cm3, Pa -> kPa, rad -> deg, m -> cm, 1/Pa -> 1/kPa; others stay.
 inline DoorUnit door_unit(std::string_view si) {
   if (si == "kg/m3") return {"g/cm3", 1e-3};
   if (si == "Pa") return {"kPa", 1e-3};
   if (si == "rad") return {"deg", 1.0 / kDegree};
   if (si == "m") return {"cm", 100.0};
+  if (si == "1/Pa") return {"1/kPa", 1e3};
   return {si, 1.0};
 }
 

@@ -21,6 +21,7 @@ struct DesignPoint {
   std::vector<int> level;  // [n_factors] 0-based level index
   Micro micro;
   Numerics numerics;
+  EffectSet effects;
 };
 
 /// Computed from the rows themselves, never looked up.

@@ -66,7 +66,7 @@ struct Parts {
   Settings base;  ///< profile, overrides and fixed values
   DampingUnit damping = DampingUnit::kAbsolute;
   std::vector<FixedValue> fixed;
-  std::vector<std::string_view> set_elsewhere;  ///< names set by `particles` or `numerics`
+  std::vector<std::string_view> set_elsewhere;  ///< names set by `particles`, `numerics` or `effects`
   std::vector<FactorLevels> factors;
   ArrayRows array;
   Place factors_place;
@@ -133,7 +133,7 @@ std::vector<DesignPoint> make_points(const Parts& parts) {
     for (std::size_t i = 0; i < parts.factors.size(); ++i) {
       parts.factors[i].field.set(settings, parts.factors[i].values[static_cast<std::size_t>(row[i])]);
     }
-    points.push_back({static_cast<int>(points.size()) + 1, row, settings.micro, settings.numerics});
+    points.push_back({static_cast<int>(points.size()) + 1, row, settings.micro, settings.numerics, settings.effects});
   }
   return points;
 }
@@ -154,7 +154,7 @@ void check_distinct(const Design& design, Place place, Report& report) {
 template <class Check>
 void check_points(const std::vector<DesignPoint>& points, Place place, Check check, Report& report) {
   for (const DesignPoint& point : points) {
-    const std::string problem = check(Settings{point.micro, point.numerics});
+    const std::string problem = check(Settings{point.micro, point.numerics, point.effects});
     if (problem.empty()) continue;
     report.add(place, "point " + std::to_string(point.point) + ": " + problem);
     return;  // one is enough: the others say the same
@@ -174,6 +174,9 @@ std::map<std::string, std::string> shown_fixed(const Parts& parts) {
   if (!varies("gravity")) show(*find_field("gravity"), parts.base.micro.gravity);
   if (!varies("particle_density")) show(*find_field("particle_density"), parts.base.micro.grain_density);
   if (!varies("particles")) show(*find_field("particles"), parts.base.numerics.clusters);
+  for (const EffectInfo& info : all_effects()) {
+    if (const double strength = parts.base.effects[info.id]; strength != 0) show(*find_field(info.name), strength);
+  }
   shown["damping_unit"] = std::string(kDampingNames[parts.damping == DampingUnit::kRatio ? 1 : 0]);
   return shown;
 }
@@ -234,6 +237,8 @@ Read<Design> read_design(const DesignFiles& files, const DesignOverrides& overri
   std::vector<std::uint64_t> seeds = read_seeds(top, overrides.seeds, report);
   parts.set_elsewhere = read_numerics(top, parts.base, report);
   read_box(top, parts.base.numerics, report);
+  const auto effects = read_effects(top, parts.base, report);
+  parts.set_elsewhere.insert(parts.set_elsewhere.end(), effects.begin(), effects.end());
   read_fixed_block(top, parts, report);
   parts.factors = read_factors(top, parts.damping, report);
   parts.factors_place = place_of_key(*root, "factors");

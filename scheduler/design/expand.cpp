@@ -45,12 +45,14 @@ void add_penetration(std::vector<TableResponse>& responses, const PlateSize& pla
 }  // namespace
 
 std::vector<StageSpec> expand(const Design& design, const DesignPoint& point, std::uint64_t seed) {
-  const StageSpec settle{.kind = StageKind::kSettle, .micro = point.micro, .numerics = point.numerics, .seed = seed};
+  const StageSpec settle{.kind = StageKind::kSettle, .micro = point.micro, .numerics = point.numerics, .seed = seed,
+                         .effects = acting_in(point.effects, StageKind::kSettle)};
   const auto on_bed = [&](StageKind kind, double stress, const PlateSize& plate = {}) {
     StageSpec spec = settle;
     spec.kind = kind;
     spec.confining_stress = stress;
     spec.plate = plate;
+    spec.effects = acting_in(point.effects, kind);
     return spec;
   };
   std::vector<StageSpec> stages{settle, on_bed(StageKind::kFabric, 0)};

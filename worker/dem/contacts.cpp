@@ -17,12 +17,13 @@ Contact from_slot(const Slots& s, std::size_t k) {
   c.body_a = s.body_a[k];
   c.spring = {s.sx[k], s.sy[k], s.sz[k]};
   c.force = {s.fx[k], s.fy[k], s.fz[k]};
+  if (s.rolls) c.rolling = {s.rx[k], s.ry[k], s.rz[k]};
   return c;
 }
 
 }  // namespace
 
-std::vector<Contact> contacts(const World& w) {
+std::vector<Contact> contacts(const World& w, double gap) {
   std::vector<Contact> out;
   const Slots& slots = w.near_pairs;
   const Centres centres = sphere_centres(w.bodies, w.spheres);
@@ -31,13 +32,14 @@ std::vector<Contact> contacts(const World& w) {
     const Vec3 pa = at(centres, a), pb = at(centres, b);
     const Vec3 d{pa[0] - pb[0], pa[1] - pb[1], pa[2] - pb[2]};
     const double distance2 = d[0] * d[0] + d[1] * d[1] + d[2] * d[2], reach = w.spheres.radius[a] + w.spheres.radius[b];
-    if (!(distance2 < reach * reach && distance2 > 0.0)) continue;
+    if (!(distance2 < (reach + gap) * (reach + gap) && distance2 > 0.0)) continue;
     const double distance = std::sqrt(distance2), overlap = reach - distance;
     Contact c = from_slot(slots, k);
     c.sphere_a = slots.first[k], c.sphere_b = slots.second[k];
     c.body_b = slots.body_b[k];
     c.normal = {d[0] / distance, d[1] / distance, d[2] / distance};
     c.overlap = overlap;
+    c.reduced_radius = w.spheres.radius[a] * w.spheres.radius[b] / reach;
     c.arm_a = arm_to(pa, centre_of_mass(w.bodies, static_cast<std::size_t>(c.body_a)), 0.5 * overlap - w.spheres.radius[a], c.normal);
     c.arm_b = arm_to(pb, centre_of_mass(w.bodies, static_cast<std::size_t>(c.body_b)), w.spheres.radius[b] - 0.5 * overlap, c.normal);
     out.push_back(c);
@@ -59,6 +61,7 @@ std::vector<Contact> wall_contacts(const World& w) {
     const auto [distance, normal] = wall_distance(w.walls, id, p);
     c.normal = normal;
     c.overlap = w.spheres.radius[s] - distance;
+    c.reduced_radius = w.spheres.radius[s];
     if (!(c.overlap > 0.0)) continue;
     c.arm_a = arm_to(p, centre_of_mass(w.bodies, static_cast<std::size_t>(c.body_a)), -distance, c.normal);
     out.push_back(c);

@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "worker/dem/laws/cohesion.h"
+#include "worker/dem/laws/hertz.h"
+#include "worker/dem/laws/rolling.h"
 #include "worker/dem/simd/records.h"
 
 namespace regolab::dem {
@@ -23,6 +26,12 @@ struct Block {
   alignas(64) double friction[kBlock];
 };
 
+/// What effects need besides: chosen once for a stretch, so that a world without any runs the plain code.
+struct EffectBlock : Block {
+  Axes spin, moment;                    ///< of a relative to b [1/s], on a [N m]
+  alignas(64) double reduced[kBlock];   ///< R* [m]
+};
+
 template <class P>
 REGOLAB_INLINE Triple<P> load3(const Axes& a, std::size_t k) { return {load<P>(a.x + k), load<P>(a.y + k), load<P>(a.z + k)}; }
 template <class P>
@@ -30,6 +39,14 @@ REGOLAB_INLINE void store3(const Triple<P>& v, Axes& a, std::size_t k) { store(v
 
 REGOLAB_INLINE std::size_t lane(const std::int32_t* index, std::size_t k, int l) {
   return static_cast<std::size_t>(index[k + static_cast<std::size_t>(l)]);
+}
+
+template <class P>
+REGOLAB_INLINE void keep_for_effects(std::size_t, const Triple<P>&, const P&, Block&) {}
+template <class P>
+REGOLAB_INLINE void keep_for_effects(std::size_t k, const Triple<P>& spin, const P& reduced_radius, EffectBlock& block) {
+  store3(spin, block.spin, k);
+  store(reduced_radius, block.reduced + k);
 }
 
 template <class P, class Visit>
@@ -48,8 +65,8 @@ REGOLAB_INLINE Triple<P> velocity_at(const Triple<P>& p, const Triple<P>& origin
   return origin_velocity + cross(spin, p);
 }
 
-template <class P>
-REGOLAB_INLINE void measure_pairs(const ForceInput& in, const Slots& s, Block& block) {
+template <class P, class B>
+REGOLAB_INLINE void measure_pairs(const ForceInput& in, const Slots& s, B& block) {
   const Quad* at = in.balls.at.data();
   const Motion* motion = in.bodies.motion.data();
   const std::int32_t *ball_a = s.ball_a.data() + block.first, *ball_b = s.ball_b.data() + block.first;
@@ -72,6 +89,7 @@ REGOLAB_INLINE void measure_pairs(const ForceInput& in, const Slots& s, Block& b
     store3(n, block.normal, k);
     store3(point, block.point, k);
     store3(velocity_at(point, va.xyz - vb.xyz, wa.xyz - wb.xyz), block.velocity, k);
+    keep_for_effects(k, wa.xyz - wb.xyz, a.fourth * b.fourth / reach, block);
   });
 }
 
@@ -159,8 +177,8 @@ REGOLAB_INLINE FromWall<P> from_wall(const WallRecords& walls, const std::int32_
   return gap;
 }
 
-template <class P>
-REGOLAB_INLINE void measure_walls(const ForceInput& in, const WallRecords& walls, const Slots& s, Block& block) {
+template <class P, class B>
+REGOLAB_INLINE void measure_walls(const ForceInput& in, const WallRecords& walls, const Slots& s, B& block) {
   const Quad* at = in.balls.at.data();
   const Motion* motion = in.bodies.motion.data();
   const std::int32_t *ball = s.ball_a.data() + block.first, *body = s.body_a.data() + block.first, *id = s.second.data() + block.first;
@@ -176,6 +194,7 @@ REGOLAB_INLINE void measure_walls(const ForceInput& in, const WallRecords& walls
     store3(gap.n, block.normal, k);
     store3(point, block.point, k);
     store3(velocity_at(point, v.xyz - wall.xyz, w.xyz), block.velocity, k);
+    keep_for_effects(k, w.xyz, a.fourth, block);
   });
 }
 
@@ -202,12 +221,74 @@ REGOLAB_INLINE void apply_law(const LinearLaw& shared_law, double dt, Slots& s, 
   });
 }
 
+/// The contact's push and tangential force, and the springs' stiffness, which rolling needs too.
+template <class P>
+REGOLAB_INLINE Stiffened<P> push(const LinearLaw& law, const P& friction, const P& root_mass, double dt, ContactPoint<P>& c) {
+  const Stiffened<P> k = law.effects.hertz > 0
+                             ? stiffened(law, c.overlap)
+                             : Stiffened<P>{pack_of<P>(law.normal_stiffness), pack_of<P>(law.tangential_stiffness), pack_of<P>(1.0)};
+  contact_with(law, k, friction, root_mass, dt, c);
+  return k;
+}
+
+/// Rolling angles in and out of their slots; moments, zero where nothing touches, into the block.
+template <class P>
+REGOLAB_INLINE void roll(const LinearLaw& law, const Stiffened<P>& k, const P& root_mass, double dt, const ContactPoint<P>& c,
+                         std::size_t at, int lanes, Slots& s, EffectBlock& block) {
+  const Triple<P> w = load3<P>(block.spin, at);
+  const std::size_t slot = block.first + at;
+  double *rx = s.rx.data() + slot, *ry = s.ry.data() + slot, *rz = s.rz.data() + slot;
+  RollingSpring<P> r{w.x, w.y, w.z, load_lanes<P>(rx, lanes), load_lanes<P>(ry, lanes), load_lanes<P>(rz, lanes)};
+  const P pressed = c.fx * c.nx + c.fy * c.ny + c.fz * c.nz, zero{};
+  rolling_moment(law, k, pressed, load<P>(block.reduced + at), root_mass, dt, c, r);
+  const auto touches = c.overlap > zero;
+  store_lanes(select(touches, r.rx, zero), rx, lanes), store_lanes(select(touches, r.ry, zero), ry, lanes);
+  store_lanes(select(touches, r.rz, zero), rz, lanes);
+  store3<P>({select(touches, r.mx, zero), select(touches, r.my, zero), select(touches, r.mz, zero)}, block.moment, at);
+}
+
+/// The same with what the law has beyond: stiffening springs, attraction, moments against rolling.
+template <class P>
+REGOLAB_INLINE void apply_law(const LinearLaw& shared_law, double dt, Slots& s, EffectBlock& block) {
+  const LinearLaw law = shared_law;
+  const auto in_slot = [&](std::vector<double>& field) REGOLAB_INLINE_LAMBDA { return field.data() + block.first; };
+  double *sx = in_slot(s.sx), *sy = in_slot(s.sy), *sz = in_slot(s.sz), *fx = in_slot(s.fx), *fy = in_slot(s.fy), *fz = in_slot(s.fz);
+  const double* root_mass = in_slot(s.root_mass);
+  each_pack<P>(block, [&](std::size_t k) REGOLAB_INLINE_LAMBDA {
+    const Triple<P> n = load3<P>(block.normal, k), v = load3<P>(block.velocity, k);
+    const P overlap = load<P>(block.overlap + k), root = load<P>(root_mass + k), zero{};
+    const auto touches = overlap > zero;
+    const int lanes = lanes_left<P>(block, k);
+    ContactPoint<P> c{n.x, n.y, n.z, overlap, v.x, v.y, v.z, load_lanes<P>(sx + k, lanes), load_lanes<P>(sy + k, lanes),
+                      load_lanes<P>(sz + k, lanes)};
+    const Stiffened<P> stiffness = push(law, load<P>(block.friction + k), root, dt, c);
+    if (law.effects.rolling > 0) roll(law, stiffness, root, dt, c, k, lanes, s, block);
+    const Triple<P> spring{select(touches, c.sx, zero), select(touches, c.sy, zero), select(touches, c.sz, zero)};
+    Triple<P> f{select(touches, c.fx, zero), select(touches, c.fy, zero), select(touches, c.fz, zero)};
+    if (law.effects.cohesion > 0) f = f - attraction(law.effects, overlap, load<P>(block.reduced + k)) * n;
+    store_lanes(spring.x, sx + k, lanes), store_lanes(spring.y, sy + k, lanes), store_lanes(spring.z, sz + k, lanes);
+    store_lanes(f.x, fx + k, lanes), store_lanes(f.y, fy + k, lanes), store_lanes(f.z, fz + k, lanes);
+    store3(f, block.force, k);
+    if (!(law.effects.rolling > 0)) store3<P>({zero, zero, zero}, block.moment, k);
+  });
+}
+
+/// Torque about the origin that a contact gives to a.
+template <class P>
+REGOLAB_INLINE Triple<P> torque_of(const Block& block, std::size_t k, const Triple<P>& f) {
+  return cross(load3<P>(block.point, k), f);
+}
+template <class P>
+REGOLAB_INLINE Triple<P> torque_of(const EffectBlock& block, std::size_t k, const Triple<P>& f) {
+  return cross(load3<P>(block.point, k), f) + load3<P>(block.moment, k);
+}
+
 REGOLAB_INLINE void add(const Four& v, double* to) { store(load<Four>(to) + v, to); }
 REGOLAB_INLINE void take(const Four& v, double* from) { store(load<Four>(from) - v, from); }
 
 /// Forces and torques onto both clusters, slot after slot.
-template <class P>
-REGOLAB_INLINE void add_pairs(const Slots& s, const Block& block, const LoadTarget& target) {
+template <class P, class B>
+REGOLAB_INLINE void add_pairs(const Slots& s, const B& block, const LoadTarget& target) {
   const std::int32_t *body_a = s.body_a.data() + block.first, *onto_b = s.onto_b.data() + block.first;
   Load *clusters = target.clusters, *cells = target.cells;
   each_pack<P>(block, [&](std::size_t k) REGOLAB_INLINE_LAMBDA {
@@ -218,12 +299,12 @@ REGOLAB_INLINE void add_pairs(const Slots& s, const Block& block, const LoadTarg
       add(force, &a.fx), add(torque, &a.tx);
       take(force, &b.fx), take(torque, &b.tx);
     };
-    each_row(0, lanes_left<P>(block, k), onto, rows_of(f), rows_of(cross(load3<P>(block.point, k), f)));
+    each_row(0, lanes_left<P>(block, k), onto, rows_of(f), rows_of(torque_of<P>(block, k, f)));
   });
 }
 
-template <class P>
-REGOLAB_INLINE void add_walls(const Slots& s, const Block& block, const LoadTarget& target) {
+template <class P, class B>
+REGOLAB_INLINE void add_walls(const Slots& s, const B& block, const LoadTarget& target) {
   const std::int32_t* body_a = s.body_a.data() + block.first;
   Load* clusters = target.clusters;
   each_pack<P>(block, [&](std::size_t k) REGOLAB_INLINE_LAMBDA {
@@ -232,7 +313,7 @@ REGOLAB_INLINE void add_walls(const Slots& s, const Block& block, const LoadTarg
       Load& a = clusters[lane(body_a, k, l)];
       add(force, &a.fx), add(torque, &a.tx);
     };
-    each_row(0, lanes_left<P>(block, k), onto, rows_of(f), rows_of(cross(load3<P>(block.point, k), f)));
+    each_row(0, lanes_left<P>(block, k), onto, rows_of(f), rows_of(torque_of<P>(block, k, f)));
   });
 }
 
@@ -249,33 +330,46 @@ REGOLAB_INLINE void split_wall_forces(Slots& s, const Block& block) {
   });
 }
 
-template <class Work>
+template <class B, class Work>
 REGOLAB_INLINE void each_block(Stretch stretch, Work work) {
-  Block block;
+  B block;
   for (block.first = stretch.begin; block.first < stretch.end; block.first += kBlock) {
     block.count = std::min(kBlock, stretch.end - block.first);
     work(block);
   }
 }
 
-template <class P>
-REGOLAB_INLINE void press_pairs_with(const ForceInput& in, Stretch stretch, Slots& slots, LoadTarget target) {
-  each_block(stretch, [&](Block& block) REGOLAB_INLINE_LAMBDA {
+template <class P, class B>
+REGOLAB_INLINE void press_pair_blocks(const ForceInput& in, Stretch stretch, Slots& slots, LoadTarget target) {
+  each_block<B>(stretch, [&](B& block) REGOLAB_INLINE_LAMBDA {
     measure_pairs<P>(in, slots, block);
     apply_law<P>(in.law, in.dt, slots, block);
     add_pairs<P>(slots, block, target);
   });
 }
 
-template <class P>
-REGOLAB_INLINE void press_walls_with(const ForceInput& in, const Walls& walls, Stretch stretch, Slots& slots, LoadTarget target) {
+template <class P, class B>
+REGOLAB_INLINE void press_wall_blocks(const ForceInput& in, const LinearLaw& law, const Walls& walls, Stretch stretch, Slots& slots,
+                                      LoadTarget target) {
   const WallRecords records(walls);
-  each_block(stretch, [&](Block& block) REGOLAB_INLINE_LAMBDA {
+  each_block<B>(stretch, [&](B& block) REGOLAB_INLINE_LAMBDA {
     measure_walls<P>(in, records, slots, block);
-    apply_law<P>(in.law, in.dt, slots, block);
+    apply_law<P>(law, in.dt, slots, block);
     split_wall_forces<P>(slots, block);
     add_walls<P>(slots, block, target);
   });
+}
+
+template <class P>
+REGOLAB_INLINE void press_pairs_with(const ForceInput& in, Stretch stretch, Slots& slots, LoadTarget target) {
+  if (in.law.effects.any()) return press_pair_blocks<P, EffectBlock>(in, stretch, slots, target);
+  press_pair_blocks<P, Block>(in, stretch, slots, target);
+}
+
+template <class P>
+REGOLAB_INLINE void press_walls_with(const ForceInput& in, const Walls& walls, Stretch stretch, Slots& slots, LoadTarget target) {
+  if (in.law.effects.any()) return press_wall_blocks<P, EffectBlock>(in, at_walls(in.law), walls, stretch, slots, target);
+  press_wall_blocks<P, Block>(in, in.law, walls, stretch, slots, target);
 }
 
 }  // namespace

@@ -12,6 +12,7 @@ namespace regolab::dem {
 struct Margins {
   std::vector<double> margin;  // [n] [m]
   std::vector<double> path;    // [n] since the lists were made [m]
+  double attraction = 0;       ///< how far apart spheres may attract one another [m]
   bool anything_swings = true; ///< false when every cluster is one sphere: then turns move nothing
 };
 

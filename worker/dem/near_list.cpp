@@ -17,6 +17,9 @@ void make_room(std::size_t n, Vectors&... vectors) {
 void relax(Slots& s) {
   make_room(s.count, s.root_mass, s.sx, s.sy, s.sz, s.fx, s.fy, s.fz, s.ball_a);
   for (auto* zero : {&s.sx, &s.sy, &s.sz, &s.fx, &s.fy, &s.fz}) std::fill_n(zero->begin(), s.count, 0.0);
+  if (!s.rolls) return;
+  make_room(s.count, s.rx, s.ry, s.rz);
+  for (auto* zero : {&s.rx, &s.ry, &s.rz}) std::fill_n(zero->begin(), s.count, 0.0);
 }
 
 /// The indices of a whole pack past the count repeat the last.
@@ -38,12 +41,13 @@ std::size_t list_near_pairs(const PairList& pairs, const Spheres& spheres, const
   const std::int32_t *pair_a = pairs.a.data(), *pair_b = pairs.b.data(), *body = spheres.body.data();
   const double *x = at.x.data(), *y = at.y.data(), *z = at.z.data(), *reach = pairs.sum_of_radii.data();
   const double* margin = margins.margin.data();
+  const double attraction = margins.attraction;
   std::int32_t *first = slots.first.data(), *second = slots.second.data(), *body_a = slots.body_a.data(), *body_b = slots.body_b.data();
   std::size_t found = stretch.begin;
   for (std::size_t p = stretch.begin; p < stretch.end; ++p) {
     const std::int32_t a = pair_a[p], b = pair_b[p], i = body[a], j = body[b];
     const double dx = x[a] - x[b], dy = y[a] - y[b], dz = z[a] - z[b];
-    const double limit = reach[p] + margin[i] + margin[j];
+    const double limit = reach[p] + margin[i] + margin[j] + attraction;
     first[found] = a, second[found] = b;
     body_a[found] = i, body_b[found] = j;
     found += dx * dx + dy * dy + dz * dz < limit * limit;  // no branch: which pairs are near is hard to foresee
@@ -154,12 +158,16 @@ REGOLAB_HOT(void, place_balls, (const Bodies& bodies, Stretch stretch, Balls& ba
 void take_springs(const Slots& slots, Springs& springs) {
   springs.clear();
   for (std::size_t k = 0; k < slots.count; ++k) {
-    if (slots.sx[k] == 0.0 && slots.sy[k] == 0.0 && slots.sz[k] == 0.0) continue;
+    const bool slid = slots.sx[k] != 0.0 || slots.sy[k] != 0.0 || slots.sz[k] != 0.0;
+    const bool rolled = slots.rolls && (slots.rx[k] != 0.0 || slots.ry[k] != 0.0 || slots.rz[k] != 0.0);
+    if (!slid && !rolled) continue;
     springs.push(slots.first[k], slots.second[k], slots.sx[k], slots.sy[k], slots.sz[k]);
+    if (slots.rolls) springs.rx.push_back(slots.rx[k]), springs.ry.push_back(slots.ry[k]), springs.rz.push_back(slots.rz[k]);
   }
 }
 
 void give_springs(const Springs& springs, Slots& slots) {
+  const bool rolled = slots.rolls && springs.rx.size() == springs.size();
   std::size_t k = 0;
   for (std::size_t n = 0; n < springs.size(); ++n) {
     const auto before = [&] {
@@ -171,6 +179,10 @@ void give_springs(const Springs& springs, Slots& slots) {
     slots.sx[k] = springs.sx[n];
     slots.sy[k] = springs.sy[n];
     slots.sz[k] = springs.sz[n];
+    if (!rolled) continue;
+    slots.rx[k] = springs.rx[n];
+    slots.ry[k] = springs.ry[n];
+    slots.rz[k] = springs.rz[n];
   }
   slots.hold_springs = true;
 }

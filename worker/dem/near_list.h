@@ -33,7 +33,9 @@ struct Slots {
   std::vector<double> root_mass;             // [count] root of the effective mass [kg^0.5]
   std::vector<double> sx, sy, sz;            // [count] spring [m]
   std::vector<double> fx, fy, fz;            // [count] force on a in the last step [N]
+  std::vector<double> rx, ry, rz;            // [count] rolling angle, where contacts resist rolling
   std::vector<double> normal, shear;         // [count] walls: normal force or kApart, and size of the rest [N]
+  bool rolls = false;                        ///< contacts resist rolling
   bool hold_springs = false;                 ///< false until springs were given to these slots
 };
 

@@ -62,7 +62,7 @@ void take_places(const Bodies& b, const Spheres& spheres, const Centres& centres
     if (tumbles) pairs.swing[i] = 0;
     for (auto k = static_cast<std::size_t>(b.first_sphere[i]); k < static_cast<std::size_t>(b.first_sphere[i + 1]); ++k) {
       if (tumbles) s.at.x[k] = b.x[i], s.at.y[k] = b.y[i], s.at.z[k] = b.z[i];
-      s.radius[k] = (tumbles ? b.reach[i] : spheres.radius[k]) + allowance;
+      s.radius[k] = (tumbles ? b.reach[i] : spheres.radius[k]) + allowance + 0.5 * pairs.attraction;
     }
   }
 }
@@ -73,7 +73,7 @@ REGOLAB_INLINE void list_pairs_with(const Bodies& bodies, const Spheres& spheres
   for (int i = 0; i < bodies.count(); ++i) {
     const auto p = static_cast<std::size_t>(i);
     if (bodies.gone[p]) continue;
-    near_clusters<P>(bodies, s.grid, bodies.reach[p] + pairs.allowance[p], i, s.others);
+    near_clusters<P>(bodies, s.grid, bodies.reach[p] + pairs.allowance[p] + 0.5 * pairs.attraction, i, s.others);
     for (auto a = static_cast<std::size_t>(bodies.first_sphere[p]); a < static_cast<std::size_t>(bodies.first_sphere[p + 1]); ++a) {
       for (const std::int32_t other : s.others) {
         const auto q = static_cast<std::size_t>(other);
@@ -100,7 +100,7 @@ void build_pairs(const Bodies& bodies, const Spheres& spheres, const Centres& ce
   take_places(bodies, spheres, centres, time, pairs);
   auto& reach = pairs.scratch.reach;
   reach.resize(bodies.x.size());
-  for (std::size_t i = 0; i < reach.size(); ++i) reach[i] = bodies.reach[i] + pairs.allowance[i];
+  for (std::size_t i = 0; i < reach.size(); ++i) reach[i] = bodies.reach[i] + pairs.allowance[i] + 0.5 * pairs.attraction;
   pairs.scratch.grid.build(bodies.x, bodies.y, bodies.z, reach, 2 * *std::max_element(reach.begin(), reach.end()));
   list_pairs(bodies, spheres, pairs);
   pairs.at_build = {bodies.x, bodies.y, bodies.z, bodies.qw, bodies.qx, bodies.qy, bodies.qz};

@@ -20,6 +20,7 @@ struct PairList {
   std::vector<double> sum_of_radii;    // [n_pairs] [m]
   Poses at_build;
   std::vector<double> allowance;       // [n] how far each cluster may get from there [m]
+  double attraction = 0;               ///< listed so much farther: see Margins [m]
   std::vector<double> swing;           // [n] farthest sphere centre that counts when a cluster turns; 0 of a tumbling one [m]
 
   struct Scratch {
@@ -31,7 +32,7 @@ struct PairList {
   } scratch;
 };
 
-/// Every pair of spheres of different, present clusters with a gap below the sum of their clusters' allowances (set in `pairs`). Two
+/// Every pair of spheres of different, present clusters with a gap below the sum of their clusters' allowances (set in `pairs`) and `attraction`. Two
 /// clusters held fixed make no pairs. A cluster whose turn alone would use up half its allowance in `time` [s] is listed by its
 /// bounding ball: then its turn does not matter.
 void build_pairs(const Bodies& bodies, const Spheres& spheres, const Centres& centres, double time, PairList& pairs);

@@ -9,10 +9,12 @@ namespace regolab::dem {
 struct Springs {
   std::vector<std::int32_t> first, second;  // [n] sphere and sphere, or sphere and wall; sorted by first, then second
   std::vector<double> sx, sy, sz;           // [n] [m]
+  std::vector<double> rx, ry, rz;           // [n] rolling angles, where contacts resist rolling; else empty
 
   void clear() {
     first.clear(), second.clear();
     sx.clear(), sy.clear(), sz.clear();
+    rx.clear(), ry.clear(), rz.clear();
   }
   void push(std::int32_t a, std::int32_t b, double x, double y, double z) {
     first.push_back(a), second.push_back(b);
@@ -22,6 +24,8 @@ struct Springs {
 
   template <class A>
   void archive(A& ar) { ar(first, second, sx, sy, sz); }
+  template <class A>
+  void archive_rolling(A& ar) { ar(rx, ry, rz); }
 };
 
 }  // namespace regolab::dem

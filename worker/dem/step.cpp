@@ -56,6 +56,12 @@ void renew_margins(World& w) {
   w.wall_margin = std::clamp(2 * travel.time * fastest, travel.least, travel.most);
 }
 
+/// Farthest gap over which two of the spheres may attract one another [m].
+double attraction_range(const World& w) {
+  if (!(w.law.effects.cohesion > 0) || w.spheres.radius.empty()) return 0;
+  return kAttractionRange * 2 * *std::max_element(w.spheres.radius.begin(), w.spheres.radius.end());
+}
+
 // Work, in units of pressing one slot (about 10 ns), measured on the beds of tests/bench.
 constexpr double kPerListedPair = 0.5, kPerSphere = 0.5, kPerCluster = 2;  // of a refresh
 constexpr double kSearchPerCluster = 60;                                   // of a new pair list
@@ -106,6 +112,8 @@ void refresh_lists(World& w) {
   w.near_lists.renew(w.step, static_cast<double>(w.near_pairs.count + w.near_walls.count),
                      kPerListedPair * static_cast<double>(w.pairs.a.size()) + kPerSphere * static_cast<double>(w.spheres.count()) +
                          kPerCluster * static_cast<double>(w.bodies.x.size()));
+  w.near_pairs.rolls = w.near_walls.rolls = w.law.effects.rolling > 0;
+  w.pairs.attraction = w.margins.attraction = attraction_range(w);
   renew_margins(w);
   w.centres.resize(static_cast<std::size_t>(w.spheres.count()));
   share_out(w, w.bodies.x.size(), [&](Stretch s, std::size_t) { sphere_centres(w.bodies, w.spheres, s, w.centres); });

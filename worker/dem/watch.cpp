@@ -4,11 +4,30 @@
 #include <cmath>
 
 #include "worker/dem/contacts.h"
+#include "worker/dem/laws/cohesion.h"
+#include "worker/dem/laws/hertz.h"
+#include "worker/dem/laws/rolling.h"
 
 namespace regolab::dem {
 namespace {
 
+double square(const Vec3& v) { return v[0] * v[0] + v[1] * v[1] + v[2] * v[2]; }
+
+double energy_with_effects(const LinearLaw& law, const std::vector<Contact>& contacts) {
+  const bool root_law = law.effects.hertz > 0;
+  double sum = 0;
+  for (const Contact& c : contacts) {
+    if (law.effects.cohesion > 0) sum += attraction_energy(law.effects, c.overlap, c.reduced_radius);
+    if (!(c.overlap > 0)) continue;
+    const Stiffened<double> k = root_law ? stiffened(law, c.overlap) : Stiffened<double>{law.normal_stiffness, law.tangential_stiffness, 1};
+    sum += normal_energy(law, c.overlap) + 0.5 * k.tangential * square(c.spring);
+    if (law.effects.rolling > 0) sum += 0.5 * rolling_stiffness(law.effects, k, c.reduced_radius) * square(c.rolling);
+  }
+  return sum;
+}
+
 double elastic_energy(const LinearLaw& law, const std::vector<Contact>& contacts) {
+  if (law.effects.any()) return energy_with_effects(law, contacts);
   double sum = 0;
   for (const Contact& c : contacts) {
     sum += 0.5 * law.normal_stiffness * c.overlap * c.overlap;
@@ -35,7 +54,7 @@ Energies energies(const World& world) {
     e.kinetic += kinetic_of(b, i);
     e.potential += b.mass[i] * world.gravity * b.z[i];
   }
-  e.elastic = elastic_energy(world.law, contacts(world)) + elastic_energy(world.law, wall_contacts(world));
+  e.elastic = elastic_energy(world.law, contacts(world, world.margins.attraction)) + elastic_energy(at_walls(world.law), wall_contacts(world));
   return e;
 }
 
@@ -109,8 +128,8 @@ double stable_step(const World& world, double fraction) {
   const double stiffest = std::max(law.normal_stiffness, law.tangential_stiffness);
   const double strongest = std::max(Dashpot(law, law.normal_stiffness, law.normal_damping).eta(root),
                                     Dashpot(law, law.tangential_stiffness, law.tangential_damping).eta(root));
-  const double zeta = strongest / (2 * std::sqrt(lightest * stiffest));
-  return fraction * std::sqrt(lightest / stiffest) * (std::sqrt(1 + zeta * zeta) - zeta);
+  const double zeta = strongest / (2 * std::sqrt(lightest * stiffest));  // stiffened springs keep it
+  return fraction * std::sqrt(lightest / (step_stiffening(law) * stiffest)) * (std::sqrt(1 + zeta * zeta) - zeta);
 }
 
 }  // namespace regolab::dem

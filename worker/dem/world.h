@@ -48,6 +48,7 @@ struct World {
   void archive(A& ar) {
     if constexpr (!A::kLoading) hold_springs();
     ar(bodies, spheres, walls, law, gravity, dt, drag, skin, step, time, wall_work, pair_springs, wall_springs);
+    if (law.effects.rolling > 0) pair_springs.archive_rolling(ar), wall_springs.archive_rolling(ar);
     if constexpr (A::kLoading) {
       publish_motion(bodies);
       lists_stale = true;

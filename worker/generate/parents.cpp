@@ -57,12 +57,12 @@ void sort_along(Parents& parents) {
 
 }  // namespace
 
-std::vector<double> parent_diameters(int n, double largest, const Random& random) {
-  const double smallest = largest / 5;
+std::vector<double> parent_diameters(int n, double largest, const Random& random, double finer) {
+  const double smallest = largest / 5 * std::exp2(-finer), power = std::exp2(finer);
   std::vector<double> diameters(static_cast<std::size_t>(n));
   for (std::size_t i = 0; i < diameters.size(); ++i) {
     const double u = (static_cast<double>(i) + random.uniform(Purpose::kDiameter, i)) / n;
-    diameters[i] = smallest + (largest - smallest) * u;
+    diameters[i] = smallest + (largest - smallest) * (finer == 0 ? u : std::pow(u, power));
   }
   std::reverse(diameters.begin(), diameters.end());
   return diameters;

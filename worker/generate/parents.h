@@ -15,7 +15,7 @@ struct Parents {
 };
 
 /// Diameters uniform by number in [L_S/5, L_S]: one draw in each of n equal strata, so that small beds hold the law too.
-std::vector<double> parent_diameters(int n, double largest, const Random& random);
+std::vector<double> parent_diameters(int n, double largest, const Random& random, double finer = 0);
 
 /// Placed largest first, at random, each `clearance` (a share of its radius) away from all others and from the walls, in a box of the
 /// given base filled to `fraction` of spheres. Empty when a sphere finds no room in 20000 tries.

@@ -5,13 +5,15 @@
 namespace regolab {
 
 std::vector<StageSpec> stages_of(const Job& job) {
-  const StageSpec settle{.kind = StageKind::kSettle, .micro = job.micro, .numerics = job.numerics, .seed = job.seed};
+  const StageSpec settle{.kind = StageKind::kSettle, .micro = job.micro, .numerics = job.numerics, .seed = job.seed,
+                         .effects = acting_in(job.effects, StageKind::kSettle)};
   std::vector<StageSpec> stages{settle};
   const auto add = [&](StageKind kind, double confining_stress, const PlateSize& plate = {}) {
     StageSpec spec = settle;
     spec.kind = kind;
     spec.confining_stress = confining_stress;
     spec.plate = plate;
+    spec.effects = acting_in(job.effects, kind);
     stages.push_back(spec);
   };
   add(StageKind::kFabric, 0);

@@ -70,6 +70,11 @@ Json job_json(const Job& job) {
   for (const double stress : job.confining_stresses) sigma3.push_back(quantity(stress, "Pa"));
   Json json{{"profile", job.profile},         {"seed", job.seed},          {"micro", micro_json(job.micro)},
             {"numerics", numerics_json(job)}, {"tests", std::move(tests)}, {"sigma3", std::move(sigma3)}};
+  for (const EffectInfo& info : all_effects()) {
+    if (job.effects[info.id] == 0) continue;
+    const bool choice = !info.choices.empty();
+    json["effects"][std::string(info.name)] = choice ? Json(info.choices[static_cast<std::size_t>(job.effects[info.id])]) : quantity(job.effects[info.id], info.si);
+  }
   for (const PlateSize& plate : job.plates) {
     json["plates"].push_back({{"width", quantity(plate.width, "m")}, {"thickness", quantity(plate.thickness, "m")}});
   }

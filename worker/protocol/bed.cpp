@@ -7,6 +7,8 @@
 
 #include "vocab/canonical.h"
 #include "worker/dem/watch.h"
+#include "worker/effects/contact.h"
+#include "worker/effects/strengths.h"
 #include "worker/generate/replacement.h"
 
 namespace regolab::protocol {
@@ -17,12 +19,13 @@ constexpr double kFillFractions[] = {0.3, 0.25, 0.2, 0.15, 0.1};  // of spheres;
 constexpr double kClearance = 0.02;     // between parents, and to the walls: four-sphere clusters stick out by up to 1 %
 
 void raise_walls(Bed& bed) {
-  const double friction = std::tan(bed.micro.friction_angle);
+  const double friction = effects::settling_friction_share(bed.effects) * std::tan(bed.micro.friction_angle);
+  const double sides = effects::wall_friction(bed.effects);
   auto& walls = bed.world.walls;
-  walls[dem::kLeft] = {.present = true, .position = 0};
-  walls[dem::kRight] = {.present = true, .position = bed.length};
-  walls[dem::kFront] = {.present = true, .position = 0};
-  walls[dem::kBack] = {.present = true, .position = bed.width};
+  walls[dem::kLeft] = {.present = true, .position = 0, .friction = sides};
+  walls[dem::kRight] = {.present = true, .position = bed.length, .friction = sides};
+  walls[dem::kFront] = {.present = true, .position = 0, .friction = sides};
+  walls[dem::kBack] = {.present = true, .position = bed.width, .friction = sides};
   walls[dem::kFloor] = {.present = true, .position = 0, .friction = friction};
 }
 
@@ -47,9 +50,20 @@ dem::LinearLaw softened_law(const Bed& bed, double most) {
   return law;
 }
 
+dem::LinearLaw settling_law(const Bed& bed, double kappa, double gravity_ratio) {
+  const double pressure = gravity_ratio * bed.pressure();
+  dem::LinearLaw law = softened_law(bed, kappa > 0 ? kappa * pressure * bed.mean_diameter() : 0);
+  law.effects = effects::contact_effects(bed.effects, {.pressure = pressure,
+                                                       .mean_diameter = bed.mean_diameter(),
+                                                       .stiffness = law.normal_stiffness,
+                                                       .largest_load = effects::kLargestSettlingLoad});
+  return law;
+}
+
 double Bed::wall_dashpot() const {
   const double mean_mass = micro.grain_density * solid_volume / world.bodies.count();
-  return dem::Dashpot(world.law, world.law.normal_stiffness, world.law.normal_damping).eta(std::sqrt(mean_mass));
+  const dem::LinearLaw law = dem::at_walls(world.law);
+  return dem::Dashpot(law, law.normal_stiffness, law.normal_damping).eta(std::sqrt(mean_mass));
 }
 
 void renew_step(Bed& bed) { bed.world.dt = dem::stable_step(bed.world, bed.step_fraction); }
@@ -57,12 +71,14 @@ void renew_step(Bed& bed) { bed.world.dt = dem::stable_step(bed.world, bed.step_
 std::string generate_bed(const StageSpec& spec, Bed& bed) {
   const Base base = base_of(spec);
   bed.micro = spec.micro;
+  bed.effects = spec.effects;
   bed.length = base.length;
   bed.width = base.width;
   bed.step_fraction = spec.numerics.step_fraction;
   bed.most_damping_ratio = spec.numerics.most_damping_ratio;
   const generate::Random random(spec.seed);
-  const auto diameters = generate::parent_diameters(spec.numerics.clusters, spec.micro.largest_diameter, random);
+  const auto diameters = generate::parent_diameters(spec.numerics.clusters, spec.micro.largest_diameter, random,
+                                                    spec.effects[EffectId::kSizeDistribution]);
   std::optional<generate::Parents> parents;
   for (const double fraction : kFillFractions) {
     if (!parents) parents = generate::place_parents(diameters, bed.length, bed.width, fraction, kClearance, random);
@@ -78,9 +94,10 @@ std::string generate_bed(const StageSpec& spec, Bed& bed) {
     return "clusters overlap after replacement (a broken promise of the generator) report the job file";
   }
   raise_walls(bed);
-  const double kappa = spec.numerics.settle_stiffness_number;
-  bed.world.law = softened_law(bed, kappa > 0 ? kappa * bed.pressure() * bed.mean_diameter() : 0);
-  bed.world.gravity = spec.micro.gravity;
+  const double gravity_ratio = effects::settling_gravity_ratio(spec.effects);
+  bed.world.law = settling_law(bed, spec.numerics.settle_stiffness_number, gravity_ratio);
+  bed.world.law.friction *= effects::settling_friction_share(spec.effects);
+  bed.world.gravity = gravity_ratio * spec.micro.gravity;
   bed.world.skin = 0.05 * spec.micro.largest_diameter;
   renew_step(bed);
   return {};

@@ -15,6 +15,7 @@ struct Bed {
   double solid_volume = 0;    ///< V_P, of all clusters [m3]
   double step_fraction = 0.15;
   double most_damping_ratio = 0;  ///< see LinearLaw
+  EffectSet effects;              ///< of the stage that has the bed; not saved: each stage says its own
 
   double mean_diameter() const { return 0.6 * micro.largest_diameter; }
   /// Half the bed's weight per area, solid: the pressure that sets the softened stiffness of settling and repose [Pa].
@@ -34,6 +35,9 @@ struct Bed {
 /// The contact law with K_N -> min(K_N, most), K_T in the same ratio and eta with the root of the factor, so the damping ratio
 /// stays [protocols, section 3]. most <= 0 keeps the true stiffness.
 dem::LinearLaw softened_law(const Bed& bed, double most);
+
+/// That of settling and repose under `gravity` times the ratio: softened for the bed's own weight.
+dem::LinearLaw settling_law(const Bed& bed, double settle_stiffness_number, double gravity_ratio);
 
 /// Random generation and replacement under the settings of `spec`; empty text, or why there is no bed.
 std::string generate_bed(const StageSpec& spec, Bed& bed);

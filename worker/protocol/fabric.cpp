@@ -8,6 +8,7 @@
 #include "vocab/units.h"
 #include "worker/dem/contacts.h"
 #include "worker/dem/step.h"
+#include "worker/effects/strengths.h"
 #include "worker/protocol/surface.h"
 
 namespace regolab::protocol {
@@ -82,9 +83,10 @@ StageResult measure_fabric(Bed& bed) {
   const Counts c = count(bed.world, contacts);
   auto [horizontal, vertical] = contact_angles(contacts);
   const double height = mean_height(bed), top = highest_point(bed);
-  const double base = bed.length * bed.width, density = bed.micro.grain_density;
+  const double base = bed.length * bed.width, true_share = effects::density_ratio(bed.effects);
+  const double density = true_share * bed.micro.grain_density;
   const double bearers = std::max(1.0, c.clusters - c.rattlers);
-  const double void_ratio = base * height / bed.solid_volume - 1;
+  const double void_ratio = base * height / (true_share * bed.solid_volume) - 1;
   StageResult out;
   out.measurements = {
       {"contacts_per_particle", c.contacts / c.clusters, "1", {},

@@ -5,6 +5,7 @@
 
 #include "worker/dem/step.h"
 #include "worker/dem/watch.h"
+#include "worker/effects/strengths.h"
 #include "worker/protocol/surface.h"
 
 namespace regolab::protocol {
@@ -36,7 +37,7 @@ double end_pressure(const Bed& bed) { return kToDepth * dem::weight(bed.world, b
 }  // namespace
 
 Penetration::Penetration(Bed bed, const StageSpec& spec)
-    : bed_(std::move(bed)), plate_(spec.plate), inertial_number_(spec.numerics.inertial_number) {}
+    : bed_(std::move(bed)), plate_(spec.plate), inertial_number_(effects::rate_factor(spec.effects) * spec.numerics.inertial_number) {}
 
 /// I = (v/d) d sqrt(rho/p): grains of mean diameter d beside the plate are sheared at about v/d, under the pressure p at the final depth.
 void Penetration::bring_plate() {
@@ -53,7 +54,8 @@ void Penetration::bring_plate() {
   w.walls[dem::kPlate] = {.present = true,
                           .position = surface_ - first_ * interval_ + half_height,
                           .velocity = -speed_,
-                          .friction = std::tan(bed_.micro.friction_angle)};
+                          .friction = effects::plate_friction(bed_.effects, std::tan(bed_.micro.friction_angle))};
+  w.gravity *= effects::density_ratio(bed_.effects);  // heavier grains, as far as statics can tell
   dem::compute_forces(w);
   guard_.begin(w);
 }

@@ -18,6 +18,7 @@ constexpr double kTrayDepth = 4;          // of L_S
 constexpr double kRestEnergy = 2e-4;      // tighter than settling's: a creeping slope is not at rest
 constexpr double kShortestTime = 3;       // in fall times of the bed height, before rest is believed
 constexpr double kLongestTime = 120;
+constexpr double kSwingTime = 10;         // in fall times: what moves then in a cohesive bed swings on threads of attraction, for ever
 constexpr double kStoodShare = 0.6;       // of the back wall's height kept at the edge: no slope formed
 
 /// Slope of the least-squares line through the points; falling to the right is positive.
@@ -124,6 +125,7 @@ std::optional<Ending> Repose::advance() {
   empty_the_tray();
   const double elapsed = w.time - start_time_, fall_time = std::sqrt(2 * height_before_ / w.gravity);
   const double energy = dem::relative_kinetic_energy(w, w.gravity, bed_.mean_diameter());
+  if (w.law.effects.cohesion > 0 && elapsed > kSwingTime * fall_time) w.drag = 0.5 / fall_time;
   looks_at_rest_ = elapsed > kShortestTime * fall_time && energy < kRestEnergy ? looks_at_rest_ + 1 : 0;
   if (looks_at_rest_ >= 3) return Ending{};
   if (elapsed > time_limit_) {

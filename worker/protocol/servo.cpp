@@ -21,7 +21,7 @@ void hold_stress(const Servo& servo, int axis, ServoParts& parts, dem::World& wo
   dem::Wall& high = world.walls[2 * axis + 1];
   const double contacts = std::max(kFewestContacts, 0.5 * (low.contacts + high.contacts));
   const double excess = (mean_stress(world.walls, axis) - servo.wanted) * area_across(world.walls, axis);
-  const double stiffness = world.law.normal_stiffness, tau = servo.time_steps * world.dt;
+  const double stiffness = dem::at_walls(world.law).normal_stiffness, tau = servo.time_steps * world.dt;
   const double lag = std::max(1.0, kLag * servo.dashpot / (stiffness * tau));  // [steps]
   const auto capped = [&](double speed) { return std::clamp(speed, -servo.most_speed, servo.most_speed); };
   parts.proportional += (capped(excess / (stiffness * contacts * tau)) - parts.proportional) / lag;

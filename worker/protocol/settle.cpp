@@ -5,6 +5,7 @@
 
 #include "worker/dem/step.h"
 #include "worker/dem/watch.h"
+#include "worker/effects/strengths.h"
 #include "worker/generate/random.h"
 #include "worker/protocol/surface.h"
 
@@ -21,11 +22,11 @@ constexpr double kLongestFall = 40;         // in fall times of the filling box
 
 }  // namespace
 
-Settle::Settle(Bed bed, std::uint64_t seed) : bed_(std::move(bed)) {
-  const generate::Random random(seed);
+Settle::Settle(Bed bed, const StageSpec& spec) : bed_(std::move(bed)), stiffness_number_(spec.numerics.settle_stiffness_number) {
+  const generate::Random random(spec.seed);
   witness_ = static_cast<int>(random.uniform(generate::Purpose::kWitness, 0) * bed_.world.bodies.count());
   if (bed_.world.bodies.count() > 0) {
-    fall_time_ = std::sqrt(2 * highest_point(bed_) / bed_.micro.gravity);
+    fall_time_ = std::sqrt(2 * highest_point(bed_) / bed_.world.gravity);
     time_limit_ = kLongestFall * fall_time_;
   }
 }
@@ -37,9 +38,18 @@ void Settle::note() {
                      force[1], force[2]});
 }
 
+/// Vertical force on the grains: of the floor, and of side walls that rub.
+double Settle::carried() const {
+  const dem::World& w = bed_.world;
+  if (!(effects::wall_friction(bed_.effects) > 0)) return w.walls[dem::kFloor].force;
+  double sum = 0;
+  for (const dem::Load& load : w.bodies.load) sum += load.fz;
+  return sum;
+}
+
 bool Settle::at_rest() const {
   const dem::World& w = bed_.world;
-  const double floor = w.walls[dem::kFloor].force / dem::weight(w, w.gravity);
+  const double floor = carried() / dem::weight(w, w.gravity);
   return dem::relative_kinetic_energy(w, w.gravity, bed_.mean_diameter()) < kRestEnergy &&
          std::abs(floor - 1) < kFloorTolerance;
 }
@@ -62,6 +72,7 @@ std::optional<Ending> Settle::fall() {
   looks_at_rest_ = at_rest() ? looks_at_rest_ + 1 : 0;
   if (looks_at_rest_ >= 3) {
     quenching_ = true;
+    end_preparation();
     bed_.world.drag = 2.0 * std::sqrt(bed_.micro.gravity / bed_.mean_diameter());
   } else if (bed_.world.time > time_limit_) {
     const double energy = dem::relative_kinetic_energy(bed_.world, bed_.micro.gravity, bed_.mean_diameter());
@@ -70,6 +81,19 @@ std::optional<Ending> Settle::fall() {
                                              " m g d/2, limit 0.002) raise the damping or the friction"};
   }
   return std::nullopt;
+}
+
+/// From here on the bed lies under its own gravity and rubs as its grains do.
+void Settle::end_preparation() {
+  const bool heavier = bed_.effects[EffectId::kPreparationGravity] != 0;
+  if (!heavier && bed_.effects[EffectId::kPreparationFriction] == 0) return;
+  dem::World& w = bed_.world;
+  const double before = dem::energies(w).total();
+  w.gravity = bed_.micro.gravity;
+  w.law = settling_law(bed_, stiffness_number_, 1);
+  w.walls[dem::kFloor].friction = w.law.friction;
+  renew_step(bed_);
+  guard_.excuse(before, dem::energies(w).total());
 }
 
 std::optional<Ending> Settle::quench() {

@@ -9,8 +9,8 @@ namespace regolab::protocol {
 
 class Settle final : public Test {
  public:
-  /// Takes over a generated bed. `seed` chooses the witness particle whose forces are recorded (article, Figure 4).
-  Settle(Bed bed, std::uint64_t seed);
+  /// Takes over a generated bed. The seed chooses the witness particle whose forces are recorded (article, Figure 4).
+  Settle(Bed bed, const StageSpec& spec);
 
   std::optional<Ending> advance() override;
   StageResult result(const Ending& ending) const override;
@@ -35,9 +35,12 @@ class Settle final : public Test {
   bool at_rest() const;
   std::optional<Ending> fall();
   std::optional<Ending> quench();
+  void end_preparation();
+  double carried() const;
 
   Bed bed_;
   Guard guard_;
+  double stiffness_number_ = 0;        // for the law that the bed is left with
   int witness_ = 0;
   double time_limit_ = 0;
   double fall_time_ = 0;

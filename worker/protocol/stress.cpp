@@ -3,8 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "apparatus/apparatus.h"
 #include "worker/dem/step.h"
 #include "worker/dem/watch.h"
+#include "worker/effects/breakage.h"
+#include "worker/effects/contact.h"
+#include "worker/effects/strengths.h"
 #include "worker/protocol/surface.h"
 
 namespace regolab::protocol {
@@ -28,11 +32,15 @@ double geometric(double a, double b, double s) { return a * std::pow(b / a, s); 
 Stress::Stress(Bed bed, const StageSpec& spec)
     : bed_(std::move(bed)),
       sigma3_(spec.confining_stress),
-      inertial_number_(spec.numerics.inertial_number),
+      inertial_number_(effects::rate_factor(spec.effects) * spec.numerics.inertial_number),
       end_strain_(spec.numerics.axial_strain) {
   start_law_ = bed_.world.law;
   const double kappa = spec.numerics.stress_stiffness_number;
   end_law_ = softened_law(bed_, kappa > 0 ? kappa * sigma3_ * bed_.mean_diameter() : 0);
+  end_law_.effects = effects::contact_effects(bed_.effects, {.pressure = effects::kStressMatch,
+                                                             .mean_diameter = bed_.mean_diameter(),
+                                                             .stiffness = end_law_.normal_stiffness,
+                                                             .largest_load = effects::largest_stress_load(sigma3_)});
 }
 
 /// d sqrt(rho/p): the time in which grains rearrange under the present pressure [s].
@@ -50,7 +58,8 @@ void Stress::enclose() {
   start_pressure_ = pressure_ = bed_.pressure();
   w.gravity = 0;
   w.walls[dem::kTop] = {.present = true, .position = highest_point(bed_)};
-  for (dem::Wall& wall : w.walls.wall) wall.friction = 0;
+  for (dem::Wall& wall : w.walls.wall) wall.friction = effects::wall_friction(bed_.effects);
+  w.law.effects.wall_compliance = bed_.effects[EffectId::kBoundaryCompliance];
   dem::compute_forces(w);
   guard_.begin(w);
   set_phase(Phase::kApproach);
@@ -75,6 +84,8 @@ void Stress::advance_ramp() {
   w.law.tangential_stiffness = between(start_law_.tangential_stiffness, end_law_.tangential_stiffness);
   w.law.normal_damping = between(start_law_.normal_damping, end_law_.normal_damping);
   w.law.tangential_damping = between(start_law_.tangential_damping, end_law_.tangential_damping);
+  w.law.effects.hertz_overlap = between(start_law_.effects.hertz_overlap, end_law_.effects.hertz_overlap);
+  w.law.effects.hertz_most = std::max(start_law_.effects.hertz_most, end_law_.effects.hertz_most);
   guard_.excuse(before, dem::energies(w).total());
   renew_step(bed_);
 }
@@ -119,7 +130,7 @@ void Stress::start_shear() {
   shear_start_time_ = w.time;
   height0_ = opening(w.walls, 2);
   volume0_ = height0_ * area_across(w.walls, 2);
-  void_ratio0_ = volume0_ / bed_.solid_volume - 1;
+  void_ratio0_ = volume0_ / (effects::density_ratio(bed_.effects) * bed_.solid_volume) - 1;
   w.walls[dem::kFloor].velocity = 0;
   interval_ = {};
   interval_steps_ = 0;
@@ -131,6 +142,13 @@ void Stress::start_shear() {
   samples_ = {first};
 }
 
+/// The side walls' error: from nothing to p_0 as the plate gains its speed [Pa].
+double Stress::lateral_offset() const {
+  const double rate = inertial_number_ / inertial_time();
+  const double gained = (bed_.world.time - shear_start_time_ + bed_.world.dt) * rate / (2 * kRampStrain);
+  return bed_.effects[EffectId::kLateralStressOffset] * std::min(1.0, gained);
+}
+
 double Stress::axial_strain() const { return 1 - opening(bed_.world.walls, 2) / height0_; }
 
 void Stress::shear_step() {
@@ -138,16 +156,17 @@ void Stress::shear_step() {
   const double rate = inertial_number_ / inertial_time();
   const double gained = (w.time - shear_start_time_ + w.dt) * rate / (2 * kRampStrain);  // 2 % strain at the end of the ramp
   w.walls[dem::kTop].velocity = -rate * height0_ * std::min(1.0, gained);
+  const double offset = lateral_offset();
   for (int axis = 0; axis < 2; ++axis) {
-    const Servo servo{.wanted = sigma3_, .most_speed = kLateralSpeed * rate * opening(w.walls, axis), .dashpot = bed_.wall_dashpot()};
+    const Servo servo{.wanted = sigma3_ + offset, .most_speed = kLateralSpeed * rate * opening(w.walls, axis), .dashpot = bed_.wall_dashpot()};
     hold_stress(servo, axis, servo_[static_cast<std::size_t>(axis)], w);
   }
   dem::step(w);
   const double area = area_across(w.walls, 2);
   interval_.top += w.walls[dem::kTop].force / area;
   interval_.bottom += w.walls[dem::kFloor].force / area;
-  interval_.lateral_x += mean_stress(w.walls, 0);
-  interval_.lateral_y += mean_stress(w.walls, 1);
+  interval_.lateral_x += mean_stress(w.walls, 0) - offset;  // what the controller believes
+  interval_.lateral_y += mean_stress(w.walls, 1) - offset;
   ++interval_steps_;
 }
 
@@ -170,7 +189,21 @@ std::optional<Ending> Stress::shear_look() {
     if (strain >= kInterval * static_cast<double>(samples_.size())) close_interval(strain);
     if (strain >= end_strain_) return Ending{};
   }
-  return guard_.look(bed_, bed_.micro.largest_diameter);
+  if (auto ending = guard_.look(bed_, bed_.micro.largest_diameter)) return ending;
+  if (bed_.effects[EffectId::kBreakage] != 0) break_overloaded();
+  return std::nullopt;
+}
+
+void Stress::break_overloaded() {
+  dem::World& w = bed_.world;
+  const std::vector<int> clusters = effects::overloaded(w, effects::bond_strength(bed_.effects));
+  if (clusters.empty()) return;
+  const double before = dem::energies(w).total();
+  effects::break_clusters(clusters, w);
+  broken_ += static_cast<int>(clusters.size());
+  renew_step(bed_);
+  dem::compute_forces(w);
+  guard_.excuse(before, dem::energies(w).total());
 }
 
 std::string_view Stress::phase() const { return phase_ == Phase::kShear ? "shear" : "isotropic"; }
@@ -205,7 +238,11 @@ StageResult Stress::result(const Ending& ending) const {
       {"deepest_overlap", guard_.deepest, "1", {}, "largest overlap over the smaller radius, at looks"},
       {"energy_gain", guard_.worst_gain, "1", {}, "largest excess of mechanical energy over the work put in"},
   };
-  if (ending.end == StageEnd::kCompleted) add_stress_results(samples_, sigma3_, end_strain_, void_ratio0_, out);
+  if (bed_.effects[EffectId::kBreakage] != 0) {
+    out.numerics.push_back({"clusters_broken", static_cast<double>(broken_), "1", {}, "by contacts beyond the strength of their bonds"});
+  }
+  const auto measured = as_measured(samples_, apparatus_of(bed_.effects));
+  if (ending.end == StageEnd::kCompleted) add_stress_results(measured, sigma3_, end_strain_, void_ratio0_, out);
   return out;
 }
 

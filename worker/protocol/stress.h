@@ -5,24 +5,12 @@
 #include <array>
 #include <vector>
 
+#include "apparatus/stress_results.h"
 #include "worker/protocol/guard.h"
 #include "worker/protocol/servo.h"
 #include "worker/protocol/test.h"
 
 namespace regolab::protocol {
-
-/// Means over one interval of axial strain. Stresses [Pa].
-struct StressSample {
-  double strain = 0;      ///< at the end of the interval
-  double top = 0, bottom = 0, lateral_x = 0, lateral_y = 0;
-  double volumetric_strain = 0;  ///< at its end, contraction positive
-  double unbalanced = 0;  ///< unbalanced force ratio at its end
-
-  double sigma1() const { return 0.5 * (top + bottom); }
-  double sigma3() const { return 0.5 * (lateral_x + lateral_y); }
-  template <class A>
-  void archive(A& ar) { ar(strain, top, bottom, lateral_x, lateral_y, volumetric_strain, unbalanced); }
-};
 
 class Stress final : public Test {
  public:
@@ -50,8 +38,11 @@ class Stress final : public Test {
     ar(bed_, guard_, sigma3_, inertial_number_, end_strain_, start_pressure_, start_law_, end_law_, phase_, started_, ramp_,
        pressure_, start_step_, phase_start_, looks_in_band_, window_, shear_start_time_, height0_, volume0_, void_ratio0_,
        interval_, interval_steps_, samples_, servo_[0], servo_[1], servo_[2]);
+    if (bed_.effects[EffectId::kBreakage] != 0) ar(broken_);  // checkpoints of the base model stay as they were
   }
   void enclose();
+  void break_overloaded();
+  double lateral_offset() const;
   void set_phase(Phase phase);
   double inertial_time() const;
   std::optional<Ending> isotropic_look();
@@ -81,10 +72,7 @@ class Stress final : public Test {
   StressSample interval_;              // sums while open
   int interval_steps_ = 0;
   std::vector<StressSample> samples_;
+  int broken_ = 0;                     // clusters, by the `breakage` effect
 };
-
-/// Numbers and curves of a shear run; ids carry sigma3. `end_strain` closes the last quarter.
-void add_stress_results(const std::vector<StressSample>& samples, double sigma3, double end_strain, double void_ratio0,
-                        StageResult& out);
 
 }  // namespace regolab::protocol

@@ -50,6 +50,13 @@ std::string breach_of(const StageSpec& spec) {
   if (spec.kind == StageKind::kStress && !(spec.confining_stress >= 1 && spec.confining_stress <= 1e6)) {
     return outside({"confining_stress", spec.confining_stress, 1, 1e6});
   }
+  for (const EffectInfo& info : all_effects()) {
+    const double strength = spec.effects[info.id];
+    if (strength != 0 && !(strength >= info.low && strength <= info.high)) return outside({info.name.data(), strength, info.low, info.high});
+  }
+  if (spec.kind == StageKind::kStress && !(spec.confining_stress + spec.effects[EffectId::kLateralStressOffset] >= 1)) {
+    return outside({"confining_stress + lateral_stress_offset", spec.confining_stress + spec.effects[EffectId::kLateralStressOffset], 1, 1e6});
+  }
   if (spec.kind == StageKind::kPenetration) {  // beside the plate a cluster of mean size still finds room
     const double room = 2 * 0.6 * largest;
     const Limit edges[] = {{"plate_width", spec.plate.width, 1e-5, base.length - room},

@@ -20,8 +20,9 @@ using Clock = std::chrono::steady_clock;
 double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
 std::unique_ptr<protocol::Test> make_test(const StageSpec& spec, protocol::Bed bed) {
+  bed.effects = spec.effects;
   switch (spec.kind) {
-    case StageKind::kSettle: return std::make_unique<protocol::Settle>(std::move(bed), spec.seed);
+    case StageKind::kSettle: return std::make_unique<protocol::Settle>(std::move(bed), spec);
     case StageKind::kRepose: return std::make_unique<protocol::Repose>(std::move(bed));
     case StageKind::kPenetration: return std::make_unique<protocol::Penetration>(std::move(bed), spec);
     default: return std::make_unique<protocol::Stress>(std::move(bed), spec);
@@ -117,14 +118,17 @@ StageOutput run_test(const StageSpec& spec, const StageHooks& hooks, protocol::T
 
 }  // namespace
 
-Result<StageOutput> run_stage(const StageSpec& spec, const std::string& bed, const std::string& checkpoint,
+Result<StageOutput> run_stage(const StageSpec& asked, const std::string& bed, const std::string& checkpoint,
                               const StageHooks& hooks) {
   const auto start = Clock::now();
+  StageSpec spec = asked;
+  spec.effects = acting_in(asked.effects, asked.kind);  // what the stage's key does not say must not show
   if (std::string breach = breach_of(spec); !breach.empty()) return invalid(std::move(breach));
   StageOutput out;
   if (spec.kind == StageKind::kFabric) {
     auto specimen = specimen_for(spec, bed);
     if (!specimen) return specimen.error();
+    specimen->bed.effects = spec.effects;
     out.result = protocol::measure_fabric(specimen->bed);
   } else {
     std::unique_ptr<protocol::Test> test;

@@ -73,6 +73,7 @@ TEST_F(VerbsTest, EveryVerbAnswersOneNamedJsonDocument) {
       {{"article", "compare"}, "regolab.article-compare/1"},
       {{"article", "functions"}, "regolab.article-functions/1"},
       {{"version"}, "regolab.version/1"},
+      {{"effects", "ls"}, "regolab.effects/1"},
   };
   for (auto [words, format] : all) {
     words.push_back("--json");

@@ -39,6 +39,35 @@ TEST(Expand, TheWholeStudyIsPointsTimesSeedsTimesStages) {
   EXPECT_EQ(expand(design).size(), 32u * 2u * 7u);
 }
 
+/// Fixed for all points, as a factor, and as both a bed's and a test's.
+TEST(Effects, StandInDesignsAsFixedValuesAndAsFactors) {
+  const std::string text = testing_support::read_file(REGOLAB_SOURCE "/client/examples/small-l4.yaml");
+  const auto with = [&](const std::string& block, const std::string& levels) {
+    std::string changed = text + block;
+    changed.insert(changed.find("factors:") + 9, levels);
+    return read_design({changed, "design.yaml", {}}, {});
+  };
+  const auto read = with("\neffects: {frame_compliance: 0.001 1/kPa}\n", "  cohesion: [0 Pa, 200 Pa]\n");
+  ASSERT_TRUE(read.value) << read.diagnostics.at(0).text;
+  const Design& design = *read.value;
+  EXPECT_EQ(design.fixed.at("frame_compliance"), "0.001 1/kPa");
+  EXPECT_THAT(design.factors[0].labels, ElementsAre("0", "0.2"));
+  EXPECT_EQ(design.factors[0].unit, "kPa");
+  for (const DesignPoint& point : design.points) {
+    EXPECT_EQ(point.effects[EffectId::kCohesion], point.level[0] == 0 ? 0 : 200);
+    for (const StageSpec& spec : expand(design, point, 1)) {
+      EXPECT_EQ(spec.effects[EffectId::kCohesion], point.effects[EffectId::kCohesion]) << "acts in every stage";
+      EXPECT_EQ(spec.effects[EffectId::kFrameCompliance] != 0, spec.kind == StageKind::kStress);
+      if (needs_bed(spec.kind)) {
+        EXPECT_EQ(parent_of(spec), expand(design, point, 1)[0]);
+      }
+    }
+  }
+  const auto twice = with("\neffects: {cohesion: 100 Pa}\n", "  cohesion: [0 Pa, 200 Pa]\n");
+  ASSERT_FALSE(twice.value);
+  EXPECT_NE(twice.diagnostics.at(0).text.find("also set outside `factors`"), std::string::npos) << twice.diagnostics.at(0).text;
+}
+
 TEST(Responses, PrimaryOnesComeFirstAndKnowTheirStage) {
   const Design design = article();
   const std::vector<TableResponse> responses = responses_of(design);

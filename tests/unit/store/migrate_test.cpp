@@ -136,6 +136,9 @@ TEST_F(MigrateTest, AMigratedFileHasWhatANewOneHasAndTakesNewJobs) {
   capped.numerics.most_damping_ratio = 0.75;
   StageSpec plate = test::stage(StageKind::kPenetration, 9);
   plate.plate = {.width = 0.03, .thickness = 0.003};
+  StageSpec sticky = test::stage(StageKind::kSettle, 10);
+  sticky.effects[EffectId::kCohesion] = 1.0 / 3;
+  sticky.effects[EffectId::kRollingResistance] = 0.3;
   {
     auto store = Store::open(path);
     ASSERT_TRUE(store.ok()) << store.error().text;
@@ -143,12 +146,19 @@ TEST_F(MigrateTest, AMigratedFileHasWhatANewOneHasAndTakesNewJobs) {
     ASSERT_TRUE((*store)->add_job({{JobId{4}, stage_key(capped), capped, {}}, {}}).ok());
     const auto added = (*store)->add_job({{JobId{5}, stage_key(plate), plate, {}}, {}});
     ASSERT_TRUE(added.ok()) << added.error().text;
+    ASSERT_TRUE((*store)->add_job({{JobId{6}, stage_key(sticky), sticky, {}}, {}}).ok());
     ASSERT_TRUE((*store)->commit().ok());
   }
   {
     auto store = Store::open(path);
     EXPECT_EQ((*store)->load()->jobs.at(1).identity.spec, capped);
     EXPECT_EQ((*store)->load()->jobs.at(2).identity.spec, plate);
+    EXPECT_EQ((*store)->load()->jobs.at(3).identity.spec, sticky);
+  }
+  {
+    Database db = raw();
+    EXPECT_EQ(text(db, "SELECT effects FROM job WHERE id = 6"), "cohesion=0.3333333333333333;rolling_resistance=0.3");
+    EXPECT_EQ(text(db, "SELECT effects FROM job WHERE id = 3"), "") << "the base model, as it was";
   }
   const char* columns = "SELECT group_concat(name || ' ' || type || ' ' || \"notnull\") FROM pragma_table_info('job')";
   const std::string fresh_path = dir / "fresh.db";

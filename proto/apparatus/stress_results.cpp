@@ -1,10 +1,10 @@
+#include "apparatus/stress_results.h"
+
 #include <algorithm>
 #include <charconv>
 #include <cmath>
 
-#include "worker/protocol/stress.h"
-
-namespace regolab::protocol {
+namespace regolab {
 namespace {
 
 std::string kilopascal(double pascal) {  // 1250 -> "1.25kPa", as in the observation ids
@@ -52,9 +52,11 @@ double secant_modulus(const std::vector<StressSample>& samples) {
 
 }  // namespace
 
+std::string stress_id(double sigma3) { return "_at_sigma3_" + kilopascal(sigma3); }
+
 void add_stress_results(const std::vector<StressSample>& samples, double sigma3, double end_strain, double void_ratio0,
                         StageResult& out) {
-  const std::string at = "_at_sigma3_" + kilopascal(sigma3);
+  const std::string at = stress_id(sigma3);
   const double last = end_strain - std::min(0.05, 0.25 * end_strain);  // the last quarter, at most 0.05
   const auto sigma1 = [](const StressSample& s) { return s.sigma1(); };
   const Mean critical = mean_between(samples, last, end_strain, sigma1);
@@ -89,4 +91,4 @@ void add_stress_results(const std::vector<StressSample>& samples, double sigma3,
   curve("bottom_plate_stress" + at, "bottom_plate_stress", "Pa", [](const StressSample& s) { return s.bottom; });
 }
 
-}  // namespace regolab::protocol
+}  // namespace regolab
