@@ -63,6 +63,11 @@ double Confirmed::miss() const {
 
 bool Confirmed::met() const { return std::ranges::all_of(targets, &MeasuredTarget::met); }
 
+bool Confirmed::open() const {
+  const auto possible = [](const MeasuredTarget& t) { return t.runs.size() > 1 && std::abs(t.mean() - t.value) <= t.tolerance + 2 * t.standard_error(); };
+  return !met() && std::ranges::all_of(targets, possible);
+}
+
 std::vector<pb::Candidate> next_round(const std::vector<Confirmed>& tried, const pb::InvertReply& reply, std::size_t count) {
   std::vector<const Confirmed*> open;
   for (const Confirmed& one : tried) {

@@ -29,8 +29,8 @@ struct Confirmed {
 
   double miss() const;
   bool met() const;
-  /// Its means fit, but more runs must say whether by chance.
-  bool open() const { return miss() <= 1 && !met(); }
+  /// Its means may still fit: none is off by more than its tolerance and two standard errors. More runs must say.
+  bool open() const;
 };
 
 /// The materials of the next round, `count` or fewer: what is open first, then what the surrogate proposes and nobody has run.

@@ -18,7 +18,8 @@ namespace regolab::client {
 namespace {
 
 constexpr unsigned kSeeds = 4;          // of a round
-constexpr std::size_t kFinalists = 2;   // run side by side
+constexpr std::size_t kFinalists = 1;   // a round: beds are spent on one material until they tell
+constexpr unsigned kProposals = 8;      // asked for, as some have been run
 
 struct Confirmation {
   std::vector<Confirmed> tried;
@@ -36,7 +37,7 @@ Outcome read_target(const Arguments& arguments, pb::InvertRequest& request) {
   request.set_model(arguments.model);
   request.set_file_name(arguments.target);
   request.set_target_yaml(text.str());
-  request.set_candidates(std::max<unsigned>(arguments.candidates, arguments.confirm ? 4 * kFinalists : 1));
+  request.set_candidates(std::max<unsigned>(arguments.candidates, arguments.confirm ? kProposals : 1));
   return done();
 }
 
@@ -62,7 +63,7 @@ std::string confirmed_text(const pb::InvertReply& reply, const Confirmed& c) {
   for (int t = 0; t < reply.targets_size(); ++t) {
     const auto& target = reply.targets(t);
     const MeasuredTarget& m = c.targets[static_cast<std::size_t>(t)];
-    const char* verdict = m.met() ? "met" : m.miss() > 1 ? "missed" : "fits, more runs must tell";
+    const char* verdict = m.met() ? "met" : c.open() ? "open, more runs must tell" : "missed";
     text += fmt::format("  {:<28} DEM {:.4g}{} {} ({} seed{}), wanted {:.4g} ± {:.2g}: {}\n", target.response(), m.mean(),
                         m.runs.size() < 2 ? "" : fmt::format(" ± {:.2g}", m.standard_error()), target.unit() == "1" ? "" : target.unit(), m.runs.size(),
                         m.runs.size() == 1 ? "" : "s", target.value(), target.tolerance(), verdict);
@@ -70,8 +71,8 @@ std::string confirmed_text(const pb::InvertReply& reply, const Confirmed& c) {
   return text;
 }
 
-/// The most probable with several seeds, learned from, and the next, until the mean of one meets every target and is known as well
-/// as the tolerance asks, or the budget is spent. Seeds go on from round to round, so a material that fits collects beds.
+/// The most probable material with several seeds, and again while it may still fit; else the next, by what was learned. Until the
+/// mean of one meets every target and is known as well as the tolerance asks, or the budget is spent.
 Outcome confirm(const Arguments& arguments, pb::InvertRequest request, pb::InvertReply& reply, Session& session, Console& console, Confirmation& out) {
   RoundSeeds seeds;
   while (!out.met()) {

@@ -1,0 +1,43 @@
+#!/usr/bin/env bash
+# The bank of DEM runs that emulators of the gap diagnosis learn from: materials without any effect (the surrogate's campaign) and,
+# for each effect, 32 of them with it. Written to ../data/bank.csv with what it cost.
+#   bash scheduler/gap/bank/run.sh       two to three hours on 2 cores; resumes where it stopped (build/campaign.db)
+set -euo pipefail
+here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
+source "$here/../../../client/setup.sh"
+install_missing
+build_regolab -- regolab regolab-scheduler regolab-worker
+db=${REGOLAB_CAMPAIGN_DB:-$root/build/campaign.db} regolab=$root/build/bin/regolab
+scratch=$(mktemp -d)
+trap 'rm -rf "$scratch"' EXIT
+
+# study design [options]: runs it and keeps its id
+ids=()
+study() {
+  local design=$1
+  shift
+  "$regolab" run "$design" --db "$db" --json "$@" >"$scratch/out.json" || [ $? = 5 ]  # 5: some stages ended without numbers, which is data
+  ids+=("$(sed -n 's/^  "experiment": "\(.*\)",$/\1/p' "$scratch/out.json")")
+}
+
+# effect offset column low high log: a study of one effect over its prior range
+effect() {
+  local name=${2%%_kPa}
+  awk -F, -v effect="$2" -v low="$3" -v high="$4" -v by_ratio="$5" -v offset="$1" -f "$here/points.awk" "$here/../../surrogate/campaign/points.csv" >"$scratch/$name.csv"
+  sed "s/EFFECT/$name/g" "$here/effect.yaml" >"$scratch/$name.yaml"
+  study "$scratch/$name.yaml"
+}
+
+study "$here/../../surrogate/campaign/box.yaml"
+effect 0 cohesion_kPa 0.02 20 1
+effect 1 rolling_resistance 0.02 0.5 1
+effect 2 boundary_compliance 1 50 1
+effect 3 lateral_stress_offset_kPa -0.8 5 0
+effect 4 wall_friction 0.05 0.8 1
+effect 5 size_distribution -1 1.3 0
+effect 0 loading_rate 0.3 2 0
+effect 1 hertzian_contact 0.05 1 0
+effect 2 preparation_friction 0.1 0.9 0
+effect 3 breakage 0.1 50 1
+effect 4 preparation_gravity -1 1 0
+"$regolab" gap bank "${ids[@]}" -o "$here/../data/bank.csv" --db "$db"
