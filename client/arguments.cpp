@@ -48,6 +48,7 @@ struct Tree {
     add_study_verbs();
     add_experiment_verbs();
     add_surrogate_verbs();
+    add_gap_verbs();
     add_article_verbs();
   }
 
@@ -149,6 +150,20 @@ struct Tree {
     invert->add_option("--seeds", arguments.seeds, "seeds of a confirmation [4]")->check(CLI::Range(1, 1000))->type_name("K");
     workers_of(invert);
     model_of(invert);
+  }
+
+  void add_gap_verbs() {
+    auto* gap = app.add_subcommand("gap", "measurements of a real material beside our own runs");
+    gap->require_subcommand(1);
+    gap->fallthrough();
+    auto* import = verb(*gap, "import", "read and check what was measured: features, errors, what takes no part and why");
+    import->add_option("OBSERVATIONS", arguments.observations, "observations.yaml, or a CSV with --map; at most 16 MiB")->required();
+    import->add_option("--map", arguments.map, "what the columns of a CSV are")->type_name("MAP");
+    import->add_flag("--assume-errors", arguments.assume_errors, "where no standard error is given, a stated default, marked in every report");
+    import->add_option("-o,--output", arguments.output, "the observations in normal form, as YAML")->type_name("FILE");
+    auto* bank = verb(*gap, "bank", "what our own runs gave, as the same features: a row for each point and seed");
+    bank->add_option("ID", arguments.experiments, "experiments whose points stand in one table")->required();
+    output_of(bank);
   }
 
   void add_article_verbs() {

@@ -50,6 +50,10 @@ struct Arguments {
   unsigned budget = 40;                  ///< DEM runs
   unsigned candidates = 6;
 
+  std::string observations;              ///< OBSERVATIONS.yaml, or a CSV with its map
+  std::string map;                       ///< MAP.yaml of a CSV
+  bool assume_errors = false;
+
   std::string original_line;  ///< the words after the verb, for "type this again"
 };
 

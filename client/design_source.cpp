@@ -2,12 +2,11 @@
 
 #include <fmt/format.h>
 
-#include <cstring>
-#include <fstream>
 #include <optional>
 #include <random>
 
 #include "client/console.h"
+#include "client/file_read.h"
 #include "input/report.h"
 #include "input/yaml_tree.h"
 
@@ -19,24 +18,6 @@ namespace fs = std::filesystem;
 constexpr std::size_t kReadAtMost =
     16 << 20;  // [bytes] of a design; the reader refuses far smaller ones and names their size
 constexpr std::size_t kLargestTable = 2 << 20;  // [bytes]; 4096 rows of 20 columns take half of it
-
-/// The file's bytes, at most `limit` + 1 of them; else why not, in the system's words.
-std::optional<std::string> read_file(const fs::path& path, std::size_t limit, std::string& why) {
-  std::error_code error;
-  if (fs::is_directory(path, error)) {
-    why = "it is a folder";
-    return std::nullopt;
-  }
-  std::ifstream file(path, std::ios::binary);
-  if (!file) {
-    why = std::strerror(errno);
-    return std::nullopt;
-  }
-  std::string text(limit + 1, '\0');
-  file.read(text.data(), static_cast<std::streamsize>(text.size()));
-  text.resize(static_cast<std::size_t>(file.gcount()));
-  return text;
-}
 
 const YamlNode* child_of(const YamlNode* map, std::string_view key) {
   if (map == nullptr || !map->is_map()) return nullptr;

@@ -94,6 +94,7 @@ struct Lab::Stubs {
   std::unique_ptr<pb::Experiments::Stub> experiments;
   std::unique_ptr<pb::Results::Stub> results;
   std::unique_ptr<pb::Surrogates::Stub> surrogates;
+  std::unique_ptr<pb::Gaps::Stub> gaps;
 };
 
 Lab::Lab(Options options) : options_(std::move(options)), stubs_(std::make_unique<Stubs>()) {
@@ -107,6 +108,7 @@ Lab::Lab(Options options) : options_(std::move(options)), stubs_(std::make_uniqu
   stubs_->experiments = pb::Experiments::NewStub(stubs_->channel);
   stubs_->results = pb::Results::NewStub(stubs_->channel);
   stubs_->surrogates = pb::Surrogates::NewStub(stubs_->channel);
+  stubs_->gaps = pb::Gaps::NewStub(stubs_->channel);
 }
 
 Lab::~Lab() = default;
@@ -198,6 +200,14 @@ Outcome Lab::predict(const pb::PredictRequest& request, pb::PredictReply& reply)
 
 Outcome Lab::models(pb::ListModelsReply& reply) {
   return unary([&](auto& context) { return stubs_->surrogates->ListModels(&context, {}, &reply); });
+}
+
+Outcome Lab::import_observations(const pb::ImportRequest& request, pb::ImportReply& reply) {
+  return unary([&](auto& context) { return stubs_->gaps->Import(&context, request, &reply); });
+}
+
+Outcome Lab::bank(const pb::BankRequest& request, pb::BankReply& reply) {
+  return unary([&](auto& context) { return stubs_->gaps->Bank(&context, request, &reply); });
 }
 
 Outcome Lab::invert(const pb::InvertRequest& request, pb::InvertReply& reply) {

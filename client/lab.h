@@ -40,6 +40,8 @@ class Lab {
   Outcome predict(const pb::PredictRequest& request, pb::PredictReply& reply);
   Outcome models(pb::ListModelsReply& reply);
   Outcome invert(const pb::InvertRequest& request, pb::InvertReply& reply);
+  Outcome import_observations(const pb::ImportRequest& request, pb::ImportReply& reply);
+  Outcome bank(const pb::BankRequest& request, pb::BankReply& reply);
   /// Until the model is stored; `last` is the event that carries it.
   Outcome train(const pb::TrainRequest& request, const std::function<void(const pb::TrainEvent&)>& on_event, pb::TrainEvent& last);
 

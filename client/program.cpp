@@ -36,6 +36,8 @@ const std::map<std::string, Verb>& verbs() {
       {"models", models},
       {"predict", predict},
       {"invert", invert},
+      {"gap import", gap_import},
+      {"gap bank", gap_bank},
       {"article check", check_article},
       {"article compare", compare_article},
       {"article functions", article_functions},

@@ -11,6 +11,7 @@
 #include "scheduler/rpc/address.h"
 #include "scheduler/rpc/artifacts.h"
 #include "scheduler/rpc/experiments.h"
+#include "scheduler/rpc/gaps.h"
 #include "scheduler/rpc/results.h"
 #include "scheduler/rpc/surrogates.h"
 #include "scheduler/rpc/watch.h"
@@ -18,13 +19,13 @@
 
 namespace regolab {
 namespace {
-constexpr int kLargestMessage = 4 << 20;  // inbound
+constexpr int kLargestMessage = 18 << 20;  // inbound: a file of measurements (16 MiB) with its map
 constexpr std::chrono::seconds kPatience{2};
 }  // namespace
 
 struct Server::State {
   State(std::unique_ptr<Desk> opened, const std::string& database)
-      : desk(std::move(opened)), hub(*desk), pool(*desk), artifacts(*desk), experiments(*desk, hub), results(database), surrogates(*desk, database) {}
+      : desk(std::move(opened)), hub(*desk), pool(*desk), artifacts(*desk), experiments(*desk, hub), results(database), surrogates(*desk, database), gaps(database) {}
 
   std::unique_ptr<Desk> desk;
   WatchHub hub;
@@ -33,6 +34,7 @@ struct Server::State {
   ExperimentsService experiments;
   ResultsService results;
   SurrogatesService surrogates;
+  GapsService gaps;
   std::unique_ptr<grpc::Server> server;
   std::string address;
 };
@@ -67,6 +69,7 @@ Result<std::unique_ptr<Server>> Server::start(ServerOptions options) {
   builder.RegisterService(&state->experiments);
   builder.RegisterService(&state->results);
   builder.RegisterService(&state->surrogates);
+  builder.RegisterService(&state->gaps);
   state->server = builder.BuildAndStart();
   if (!state->server || port == 0) {
     return Error{Code::kAlreadyExists,

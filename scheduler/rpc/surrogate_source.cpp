@@ -2,21 +2,11 @@
 
 #include <algorithm>
 
+#include "scheduler/rpc/profile_name.h"
 #include "scheduler/rpc/result_table.h"
-#include "vocab/profile.h"
 
 namespace regolab {
 namespace {
-
-/// The profile whose numerics these are, size and box apart; empty when a study chose its own.
-std::string profile_of(const Numerics& n) {
-  for (const std::string_view name : kProfileNames) {
-    Numerics p = *profile(name);
-    p.clusters = n.clusters, p.box_length = n.box_length, p.box_width = n.box_width;
-    if (p == n) return std::string(name);
-  }
-  return "";
-}
 
 bool varies(const ResultTable& table, std::string_view name) {
   return std::ranges::find(table.factors, name, &TableFactor::name) != table.factors.end();
@@ -35,7 +25,7 @@ Result<surrogate::Source> surrogate_source(Reader& reader, const std::string& la
   for (const StoredStage& stage : *stages) {
     const StageSpec& spec = stage.record.identity.spec;
     if (!varies(source.table, "particles")) source.table.fixed.try_emplace("particles", std::to_string(spec.numerics.clusters));
-    if (const std::string name = profile_of(spec.numerics); !name.empty()) source.table.fixed.try_emplace("profile", name);
+    if (const std::string name = profile_name(spec.numerics); !name.empty()) source.table.fixed.try_emplace("profile", name);
     if (spec.kind != StageKind::kStress || stage.record.status.end != StageEnd::kCompleted) continue;
     const auto result = reader.result(stage.link.job);
     if (!result.ok()) return result.error();

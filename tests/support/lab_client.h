@@ -30,6 +30,7 @@ class LabClient {
       : channel_(grpc::CreateCustomChannel(address, grpc::InsecureChannelCredentials(), arguments())),
         experiments(v1::Experiments::NewStub(channel_)),
         results(v1::Results::NewStub(channel_)),
+        gaps(v1::Gaps::NewStub(channel_)),
         pool(v1::WorkerPool::NewStub(channel_)),
         artifacts(v1::Artifacts::NewStub(channel_)) {}
 
@@ -120,6 +121,7 @@ class LabClient {
  public:
   std::unique_ptr<v1::Experiments::Stub> experiments;
   std::unique_ptr<v1::Results::Stub> results;
+  std::unique_ptr<v1::Gaps::Stub> gaps;
   std::unique_ptr<v1::WorkerPool::Stub> pool;
   std::unique_ptr<v1::Artifacts::Stub> artifacts;
 };

@@ -40,6 +40,19 @@ TEST_F(ArgumentsTest, NestedVerbsHaveTwoWords) {
   EXPECT_EQ(parse({"design", "show", "a.yaml"}).arguments.verb, "design show");
 }
 
+TEST_F(ArgumentsTest, GapVerbsReadFilesAndExperiments) {
+  const Parsed import = parse({"gap", "import", "m.csv", "--map", "map.yaml", "--assume-errors", "-o", "obs.yaml"});
+  ASSERT_FALSE(import.leave) << import.outcome.text;
+  EXPECT_EQ(import.arguments.verb, "gap import");
+  EXPECT_EQ(import.arguments.observations, "m.csv");
+  EXPECT_EQ(import.arguments.map, "map.yaml");
+  EXPECT_TRUE(import.arguments.assume_errors);
+  const Parsed bank = parse({"gap", "bank", "a", "b", "-o", "bank.csv"});
+  EXPECT_EQ(bank.arguments.verb, "gap bank");
+  EXPECT_EQ(bank.arguments.experiments, (std::vector<std::string>{"a", "b"}));
+  EXPECT_EQ(bank.arguments.output, "bank.csv");
+}
+
 TEST_F(ArgumentsTest, UnknownWordsGetTheNearestKnownOne) {
   EXPECT_THAT(refusal({"rnu", "x"}), HasSubstr("unknown verb `rnu`"));
   EXPECT_THAT(refusal({"statsu"}), HasSubstr("did you mean `status`?"));
