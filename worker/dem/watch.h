@@ -8,7 +8,8 @@ struct Energies {
   double kinetic = 0;      ///< translation and rotation, at the half step [J]
   double potential = 0;    ///< of the weights above z = 0 [J]
   double elastic = 0;      ///< of normal and tangential springs, walls included [J]
-  double total() const { return kinetic + potential + elastic; }
+  double attraction = 0;   ///< of cohesive contacts, not positive [J]
+  double total() const { return kinetic + potential + elastic + attraction; }
 };
 Energies energies(const World& world);
 
