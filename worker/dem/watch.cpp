@@ -84,7 +84,8 @@ double deepest_overlap(const World& world) {
   for (const Contact& c : contacts(world)) {
     deepest = std::max(deepest, c.overlap / std::min(radius(c.sphere_a), radius(c.sphere_b)));
   }
-  for (const Contact& c : wall_contacts(world)) deepest = std::max(deepest, c.overlap / radius(c.sphere_a));
+  const double give = 1 + world.law.effects.wall_compliance;  // where a wall gives way, grains go in without going through
+  for (const Contact& c : wall_contacts(world)) deepest = std::max(deepest, c.overlap / (give * radius(c.sphere_a)));
   return deepest;
 }
 

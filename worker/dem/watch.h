@@ -16,7 +16,7 @@ Energies energies(const World& world);
 /// Mean size of the net force on the free clusters over the mean size of contact forces; 0 without contacts.
 double unbalanced_force_ratio(const World& world);
 
-/// Largest overlap over the smaller radius of its contact, walls included.
+/// Largest overlap over the smaller radius of its contact, walls included; at walls that give way, over what they give.
 double deepest_overlap(const World& world);
 
 /// Sum of the last step's contact forces on one body [N].
