@@ -36,7 +36,7 @@ constexpr EffectInfo kTable[] = {
     {EffectId::kLateralStressOffset, "lateral_stress_offset", 1, acts::kStress, "p_0", "Pa", -5000, 20000, -800, 5000, false,
      "from the start of shear on the side walls hold sigma3 + p_0 (raised with the plate's speed), while sigma3 is reported",
      "sigma1 up by a constant in Pa (K_p p_0)", "Fukushima 1984: a membrane doubles sigma3 at 2 to 5 kPa"},
-    {EffectId::kLoadingRate, "loading_rate", 1, kTests, "log10 of the factor", "1", -1, 2, 0.3, 2, false,
+    {EffectId::kLoadingRate, "loading_rate", 1, kTests, "log10 of the factor", "1", -1, 2, 0.3, 1.5, false,
      "axial strain rate, and plate speed, times 10^x", "sigma1 up, most at low sigma3", "inertial number, da Cruz 2005"},
     {EffectId::kPreparationFriction, "preparation_friction", 1, acts::kSettle, "x", "1", 0, 1, 0.1, 0.9, false,
      "while settling, friction between grains and with the floor times (1 - x)", "density and peak up, residual stays",

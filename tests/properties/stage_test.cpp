@@ -119,6 +119,48 @@ TEST_P(Stage, RefusesADamagedOrForeignCheckpoint) {
 INSTANTIATE_TEST_SUITE_P(SettleReposeStressPenetration, Stage,
                          testing::Values(StageKind::kSettle, StageKind::kRepose, StageKind::kStress, StageKind::kPenetration));
 
+/// Everything at once that has a memory: rolling springs, broken clusters, a bed prepared otherwise than it is left.
+StageSpec with_effects(StageKind kind) {
+  StageSpec spec = small_stage(kind);
+  for (const auto& [id, strength] : {std::pair{EffectId::kRollingResistance, 0.2}, {EffectId::kCohesion, 300.0}, {EffectId::kHertzianContact, 0.5},
+                                     {EffectId::kWallFriction, 0.3}, {EffectId::kBoundaryCompliance, 3.0}, {EffectId::kPreparationGravity, 0.3},
+                                     {EffectId::kPreparationFriction, 0.5}, {EffectId::kBreakage, 5.0}, {EffectId::kSeating, 0.002}}) {
+    spec.effects[id] = strength;
+  }
+  return spec;
+}
+
+TEST(StagesWithEffects, ResumedFromAnyCheckpointEndWithTheSameBitsOnAnyThreads) {
+  const std::string bed = run_whole(with_effects(StageKind::kSettle), "").bed;
+  for (const StageKind kind : {StageKind::kSettle, StageKind::kRepose, StageKind::kStress, StageKind::kPenetration}) {
+    SCOPED_TRACE(name_of(kind));
+    const StageSpec spec = with_effects(kind);
+    const std::string from = needs_bed(kind) ? bed : "";
+    expect_every_checkpoint_leads_to_the_same_end(spec, from);
+    const StageOutput one = run_whole(spec, from), two = run_whole(spec, from, 2);
+    EXPECT_EQ(one.result, two.result);
+    EXPECT_EQ(one.bed, two.bed);
+  }
+}
+
+TEST(StagesWithEffects, DoNotSeeWhatActsElsewhere) {
+  StageSpec spec = small_stage(StageKind::kRepose);
+  spec.effects[EffectId::kLoadingRate] = 1;
+  spec.effects[EffectId::kBreakage] = 100;
+  EXPECT_EQ(run_whole(spec, settled_bed()).result, run_whole(small_stage(StageKind::kRepose), settled_bed()).result);
+}
+
+TEST(StagesWithEffects, OutsideTheirRangeAreRefused) {
+  StageSpec spec = small_stage(StageKind::kStress);
+  spec.effects[EffectId::kLateralStressOffset] = -2500;
+  const auto refused = run_stage(spec, settled_bed(), "", {});
+  ASSERT_FALSE(refused.ok());
+  EXPECT_NE(refused.error().text.find("lateral_stress_offset"), std::string::npos) << refused.error().text;
+  spec.effects = {};
+  spec.effects[EffectId::kRollingResistance] = -0.1;
+  EXPECT_FALSE(run_stage(spec, settled_bed(), "", {}).ok());
+}
+
 TEST(Fabric, IsAPureFunctionOfTheBed) {
   const StageSpec spec = small_stage(StageKind::kFabric);
   EXPECT_EQ(run_whole(spec, settled_bed()).result, run_whole(spec, settled_bed(), 2).result);

@@ -17,8 +17,6 @@ double energy_with_effects(const LinearLaw& law, const std::vector<Contact>& con
   const bool root_law = law.effects.hertz > 0;
   double sum = 0;
   for (const Contact& c : contacts) {
-    if (law.effects.cohesion > 0) sum += attraction_energy(law.effects, c.overlap, c.reduced_radius);
-    if (!(c.overlap > 0)) continue;
     const Stiffened<double> k = root_law ? stiffened(law, c.overlap) : Stiffened<double>{law.normal_stiffness, law.tangential_stiffness, 1};
     sum += normal_energy(law, c.overlap) + 0.5 * k.tangential * square(c.spring);
     if (law.effects.rolling > 0) sum += 0.5 * rolling_stiffness(law.effects, k, c.reduced_radius) * square(c.rolling);
@@ -54,7 +52,10 @@ Energies energies(const World& world) {
     e.kinetic += kinetic_of(b, i);
     e.potential += b.mass[i] * world.gravity * b.z[i];
   }
-  e.elastic = elastic_energy(world.law, contacts(world, world.margins.attraction)) + elastic_energy(at_walls(world.law), wall_contacts(world));
+  e.elastic = elastic_energy(world.law, contacts(world)) + elastic_energy(at_walls(world.law), wall_contacts(world));
+  if (world.law.effects.cohesion > 0) {
+    for (const Contact& c : contacts(world, world.margins.attraction)) e.attraction += attraction_energy(world.law.effects, c.overlap, c.reduced_radius);
+  }
   return e;
 }
 
@@ -83,7 +84,8 @@ double deepest_overlap(const World& world) {
   for (const Contact& c : contacts(world)) {
     deepest = std::max(deepest, c.overlap / std::min(radius(c.sphere_a), radius(c.sphere_b)));
   }
-  for (const Contact& c : wall_contacts(world)) deepest = std::max(deepest, c.overlap / radius(c.sphere_a));
+  const double give = 1 + world.law.effects.wall_compliance;  // where a wall gives way, grains go in without going through
+  for (const Contact& c : wall_contacts(world)) deepest = std::max(deepest, c.overlap / (give * radius(c.sphere_a)));
   return deepest;
 }
 

@@ -8,14 +8,15 @@ struct Energies {
   double kinetic = 0;      ///< translation and rotation, at the half step [J]
   double potential = 0;    ///< of the weights above z = 0 [J]
   double elastic = 0;      ///< of normal and tangential springs, walls included [J]
-  double total() const { return kinetic + potential + elastic; }
+  double attraction = 0;   ///< of cohesive contacts, not positive [J]
+  double total() const { return kinetic + potential + elastic + attraction; }
 };
 Energies energies(const World& world);
 
 /// Mean size of the net force on the free clusters over the mean size of contact forces; 0 without contacts.
 double unbalanced_force_ratio(const World& world);
 
-/// Largest overlap over the smaller radius of its contact, walls included.
+/// Largest overlap over the smaller radius of its contact, walls included; at walls that give way, over what they give.
 double deepest_overlap(const World& world);
 
 /// Sum of the last step's contact forces on one body [N].

@@ -52,7 +52,7 @@ dem::LinearLaw softened_law(const Bed& bed, double most) {
 
 dem::LinearLaw settling_law(const Bed& bed, double kappa, double gravity_ratio) {
   const double pressure = gravity_ratio * bed.pressure();
-  dem::LinearLaw law = softened_law(bed, kappa > 0 ? kappa * pressure * bed.mean_diameter() : 0);
+  dem::LinearLaw law = softened_law(bed, kappa > 0 ? kappa * (pressure + effects::attraction_pressure(bed.effects)) * bed.mean_diameter() : 0);
   law.effects = effects::contact_effects(bed.effects, {.pressure = pressure,
                                                        .mean_diameter = bed.mean_diameter(),
                                                        .stiffness = law.normal_stiffness,

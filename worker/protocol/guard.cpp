@@ -43,7 +43,7 @@ std::optional<Ending> Guard::look(const Bed& bed, double margin) {
                                            " s is too long for these contacts) lower step_fraction"};
   }
   const dem::Energies energy = dem::energies(world);
-  scale = std::max(scale, energy.kinetic + energy.elastic);
+  scale = std::max(scale, energy.kinetic + energy.elastic - energy.attraction);
   const double gain = energy.total() - allowance - world.wall_work;
   const double reference = scale + std::abs(world.wall_work);
   if (reference > 0) worst_gain = std::max(worst_gain, gain / reference);

@@ -9,7 +9,7 @@ namespace regolab::protocol {
 /// Mechanical energy may fall, and rise only by the work of moving walls.
 struct Guard {
   double allowance = 0;   ///< energy at the start plus later corrections [J]
-  double scale = 0;       ///< largest kinetic + elastic energy seen [J]
+  double scale = 0;       ///< largest kinetic + elastic energy seen, and that of attraction [J]
   double worst_gain = 0;  ///< largest excess over the allowance, as a share of the scale
   double deepest = 0;     ///< largest overlap over the smaller radius, at looks
 

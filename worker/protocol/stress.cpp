@@ -36,7 +36,7 @@ Stress::Stress(Bed bed, const StageSpec& spec)
       end_strain_(spec.numerics.axial_strain) {
   start_law_ = bed_.world.law;
   const double kappa = spec.numerics.stress_stiffness_number;
-  end_law_ = softened_law(bed_, kappa > 0 ? kappa * sigma3_ * bed_.mean_diameter() : 0);
+  end_law_ = softened_law(bed_, kappa > 0 ? kappa * (sigma3_ + effects::attraction_pressure(bed_.effects)) * bed_.mean_diameter() : 0);
   end_law_.effects = effects::contact_effects(bed_.effects, {.pressure = effects::kStressMatch,
                                                              .mean_diameter = bed_.mean_diameter(),
                                                              .stiffness = end_law_.normal_stiffness,
@@ -158,7 +158,8 @@ void Stress::shear_step() {
   w.walls[dem::kTop].velocity = -rate * height0_ * std::min(1.0, gained);
   const double offset = lateral_offset();
   for (int axis = 0; axis < 2; ++axis) {
-    const Servo servo{.wanted = sigma3_ + offset, .most_speed = kLateralSpeed * rate * opening(w.walls, axis), .dashpot = bed_.wall_dashpot()};
+    const Servo servo{.wanted = sigma3_ + offset, .most_speed = kLateralSpeed * rate * opening(w.walls, axis), .dashpot = bed_.wall_dashpot(),
+                      .time_steps = effects::servo_steps(bed_.effects, Servo{}.time_steps)};
     hold_stress(servo, axis, servo_[static_cast<std::size_t>(axis)], w);
   }
   dem::step(w);
