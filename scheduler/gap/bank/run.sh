@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# The bank of DEM runs that emulators of the gap diagnosis learn from: materials without any effect (the surrogate's campaign) and,
+# The bank of DEM runs that emulators of the gap diagnosis learn from: materials without any effect and,
 # for each effect, 32 of them with it. Written to ../data/bank.csv with what it cost.
 #   bash scheduler/gap/bank/run.sh       two to three hours on 2 cores; resumes where it stopped (build/campaign.db)
 set -euo pipefail
@@ -28,16 +28,16 @@ effect() {
   study "$scratch/$name.yaml"
 }
 
-study "$here/../../surrogate/campaign/box.yaml"
+study "$here/null.yaml"
 effect 0 cohesion_kPa 0.02 20 1
 effect 1 rolling_resistance 0.02 0.5 1
 effect 2 boundary_compliance 1 50 1
 effect 3 lateral_stress_offset_kPa -0.8 5 0
 effect 4 wall_friction 0.05 0.8 1
 effect 5 size_distribution -1 1.3 0
-effect 0 loading_rate 0.3 2 0
+effect 0 loading_rate 0.3 1.5 0
 effect 1 hertzian_contact 0.05 1 0
 effect 2 preparation_friction 0.1 0.9 0
-effect 3 breakage 0.1 50 1
 effect 4 preparation_gravity -1 1 0
+effect 3 breakage 0.1 50 1  # fragments are light: seven times the steps
 "$regolab" gap bank "${ids[@]}" -o "$here/../data/bank.csv" --db "$db"
