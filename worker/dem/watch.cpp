@@ -54,7 +54,8 @@ Energies energies(const World& world) {
   }
   e.elastic = elastic_energy(world.law, contacts(world)) + elastic_energy(at_walls(world.law), wall_contacts(world));
   if (world.law.effects.cohesion > 0) {
-    for (const Contact& c : contacts(world, world.margins.attraction)) e.attraction += attraction_energy(world.law.effects, c.overlap, c.reduced_radius);
+    for (const Contact& c : contacts(world, world.margins.attraction))
+      e.attraction += attraction_energy(world.law.effects, c.overlap, c.reduced_radius);
   }
   return e;
 }

@@ -73,7 +73,9 @@ Json job_json(const Job& job) {
   for (const EffectInfo& info : all_effects()) {
     if (job.effects[info.id] == 0) continue;
     const bool choice = !info.choices.empty();
-    json["effects"][std::string(info.name)] = choice ? Json(info.choices[static_cast<std::size_t>(job.effects[info.id])]) : quantity(job.effects[info.id], info.si);
+    const double strength = job.effects[info.id];
+    json["effects"][std::string(info.name)] =
+        choice ? Json(info.choices[static_cast<std::size_t>(strength)]) : quantity(strength, info.si);
   }
   for (const PlateSize& plate : job.plates) {
     json["plates"].push_back({{"width", quantity(plate.width, "m")}, {"thickness", quantity(plate.thickness, "m")}});
