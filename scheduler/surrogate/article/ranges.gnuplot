@@ -20,12 +20,12 @@ set bars 0.6
 do for [p=1:5] {
   r = word("contacts_per_particle bulk_density repose_angle sigma1_at_sigma3_1.25kPa sigma1_at_sigma3_10kPa", p)
   relative = p > 3
-  set ylabel p == 1 ? "R, contacts" : p == 2 ? "R, g/cm^3" : p == 3 ? "R, deg" : "R / mean of σ_1" offset 0.5
+  set ylabel p == 1 ? "R, contacts" : p == 2 ? "R, g/cm^3" : p == 3 ? "R, deg" : "R / mean of σ₁" offset 0.5
   if (p == 1) { set title "contacts per particle" }
   if (p == 2) { set title "bulk density" }
   if (p == 3) { set title "angle of repose" }
-  if (p == 4) { set title "critical σ_1 at σ_3 = 1.25 kPa, relative" }
-  if (p == 5) { set title "critical σ_1 at σ_3 = 10 kPa, relative" }
+  if (p == 4) { set title "critical σ₁ at σ₃ = 1.25 kPa, relative" }
+  if (p == 5) { set title "critical σ₁ at σ₃ = 10 kPa, relative" }
   y(s) = mine(s, r) ? (relative ? $6 / $4 : $6) : NaN
   bar(s) = mine(s, r) ? (relative ? $8 / $4 : $8) : NaN
   sure(s) = $10 < 0.05 ? y(s) : NaN
