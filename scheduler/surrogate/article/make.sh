@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# ranges.csv, levels.csv and contrasts.csv from a database that holds both studies, then the figures from the tables.
+# ranges.csv, levels.csv and contrasts.csv from a database that holds both studies, fresh.csv from ../data/fresh.csv when it is there,
+# then the figures from the tables.
 #   bash scheduler/surrogate/article/make.sh DATABASE QUICK STANDARD     QUICK, STANDARD: the experiments' ids, as `regolab status` lists them
 #   bash scheduler/surrogate/article/make.sh                             the figures alone
 # campaign/run.sh makes such a database (build/campaign.db). Needs gnuplot and a built regolab.
@@ -15,6 +16,10 @@ if [ $# = 3 ]; then
   "$regolab" range "$3" --db "$1" --csv >"$scratch/standard"
   cd "$scratch"
   awk -v out="$here" -f "$here/tables.awk" article "article without 3 and 27" quick standard
+  if [ -f "$here/../data/fresh.csv" ]; then  # runs of campaign/fresh.yaml, which the model has not learned
+    "$regolab" predict --table "$here/../campaign/points-fresh.csv" --csv >predicted
+    awk -f "$here/fresh.awk" predicted "$here/../data/fresh.csv" >"$here/fresh.csv"
+  fi
 elif [ $# != 0 ]; then
   echo "$# arguments (three or none expected) give DATABASE QUICK STANDARD, or nothing for the figures alone" >&2
   exit 2
@@ -22,4 +27,4 @@ fi
 cd "$here"
 gnuplot ranges.gnuplot
 gnuplot levels.gnuplot
-[ ! -f ../data/fresh.csv ] || gnuplot fresh.gnuplot
+[ ! -f fresh.csv ] || gnuplot fresh.gnuplot
