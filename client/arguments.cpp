@@ -118,6 +118,9 @@ struct Tree {
     auto* range = verb(app, "range", "range analysis, ANOVA and fragility");
     experiment_of(range);
     range->add_option("--response", arguments.response, "one response, or `all` [the article's]")->type_name("NAME");
+    range->add_option("--without", arguments.without, "leave this point out; may be repeated")->type_name("POINT")->allow_extra_args(false);
+    range->add_flag("--article", arguments.article, "of the article's own tables");
+    range->add_flag("--csv", arguments.csv, "a line per response, factor and level, as CSV");
     auto* export_verb = verb(app, "export", "every stage with its specification, numbers and curves, as files");
     experiment_of(export_verb);
     export_verb->add_option("-o,--output", arguments.output, "a folder that does not exist yet")
@@ -301,7 +304,7 @@ Parsed parse(const std::vector<std::string>& words) {
   if (arguments.csv && arguments.json)
     return mistake("--csv and --json together (one form at a time) leave one of them out");
   if (arguments.article && !arguments.experiment.empty())
-    return mistake("--article with an experiment (one table is learnt at a time) leave one of them out");
+    return mistake("--article with an experiment (one table at a time) leave one of them out");
   if (arguments.database.empty()) return mistake("--db is empty (a file name is wanted) write --db FILE");
   arguments.colour = tree.colour == "always"  ? ColourChoice::kAlways
                      : tree.colour == "never" ? ColourChoice::kNever

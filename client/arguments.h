@@ -34,6 +34,7 @@ struct Arguments {
   std::string output;    ///< file or folder; empty = stdout
   std::string response;  ///< empty = the primary ones
   bool all = false;
+  std::vector<int> without;       ///< points a range analysis leaves out
   bool article = false;           ///< the article's own tables instead of an experiment
   std::uint64_t random_seed = 1;  ///< of splits and random starts
   std::string shell = "bash";

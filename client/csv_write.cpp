@@ -54,6 +54,32 @@ std::string results_csv(const pb::ResultsReply& results) {
   return text;
 }
 
+std::string range_csv(const pb::RangeReply& range) {
+  const auto known = [](bool has, double value) { return has ? shortest(value) : std::string(); };
+  std::string text = csv_line({"response", "unit", "runs_used", "mean", "residual_standard_deviation",
+                               "error_degrees_of_freedom", "seed_standard_deviation", "factor", "factor_unit", "rank", "R",
+                               "R_standard_error", "degrees_of_freedom", "F", "p", "R_without_one_run_min",
+                               "R_without_one_run_max", "leaning_on_point", "fragile", "level", "runs", "K_sum", "k_mean",
+                               "half_width_95"});
+  for (const auto& r : range.responses()) {
+    for (const auto& f : r.factors()) {
+      for (const auto& level : f.levels()) {
+        text += csv_line({r.response(), r.unit(), std::to_string(r.runs_used()), shortest(r.mean()),
+                          shortest(r.residual_standard_deviation()), std::to_string(r.error_degrees_of_freedom()),
+                          known(r.has_seed_standard_deviation(), r.seed_standard_deviation()), f.name(), f.unit(),
+                          std::to_string(f.rank()), shortest(f.range()),
+                          known(f.has_range_standard_error(), f.range_standard_error()),
+                          std::to_string(f.degrees_of_freedom()), known(f.has_f(), f.f()), known(f.has_p(), f.p()),
+                          shortest(f.leave_one_out_range_min()), shortest(f.leave_one_out_range_max()),
+                          std::to_string(f.leaning_on_point()), f.fragile() ? "1" : "0", level.label(),
+                          std::to_string(level.runs()), shortest(level.sum()), shortest(level.mean()),
+                          known(level.has_half_width_95(), level.half_width_95())});
+      }
+    }
+  }
+  return text;
+}
+
 std::string curve_csv(const pb::Curve& curve) {
   const DoorUnit x = door_unit(curve.x_unit_si());
   const DoorUnit y = door_unit(curve.y_unit_si());

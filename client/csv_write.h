@@ -16,6 +16,10 @@ std::string csv_line(const std::vector<std::string>& fields);
 /// Numbers in door units; a missing cell is empty. Bit-equal results give byte-equal text.
 std::string results_csv(const pb::ResultsReply& results);
 
+/// response, unit, mean, residual spread; factor, its range and ANOVA; level, runs, K, k and half width. A line per level; what
+/// belongs to a response or a factor stands on each of its lines.
+std::string range_csv(const pb::RangeReply& range);
+
 /// Two columns in door units, header `axial_strain,sigma1_kPa`.
 std::string curve_csv(const pb::Curve& curve);
 

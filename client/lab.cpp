@@ -177,10 +177,7 @@ Outcome Lab::results(const std::string& experiment, pb::ResultsReply& reply) {
   return unary([&](auto& context) { return stubs_->results->GetResults(&context, request, &reply); });
 }
 
-Outcome Lab::range(const std::string& experiment, const std::string& response, pb::RangeReply& reply) {
-  pb::RangeRequest request;
-  request.set_experiment(experiment);
-  request.set_response(response);
+Outcome Lab::range(const pb::RangeRequest& request, pb::RangeReply& reply) {
   return unary([&](auto& context) { return stubs_->results->Range(&context, request, &reply); });
 }
 

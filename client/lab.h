@@ -32,7 +32,7 @@ class Lab {
   Outcome cancel(const std::string& experiment, pb::ExperimentStatus& reply);
   Outcome retry(const std::string& experiment, pb::ExperimentStatus& reply);
   Outcome results(const std::string& experiment, pb::ResultsReply& reply);
-  Outcome range(const std::string& experiment, const std::string& response, pb::RangeReply& reply);
+  Outcome range(const pb::RangeRequest& request, pb::RangeReply& reply);
   Outcome check_article(pb::CheckArticleReply& reply);
   Outcome compare_article(const std::string& experiment, pb::CompareArticleReply& reply);
   Outcome train_functions(const std::string& experiment, std::uint64_t seed, pb::TrainFunctionsReply& reply);

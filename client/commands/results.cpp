@@ -21,6 +21,20 @@ std::string rendered(const Arguments& arguments, const pb::ResultsReply& reply) 
   return text_of(out);
 }
 
+std::string rendered(const Arguments& arguments, const pb::RangeReply& reply) {
+  if (arguments.csv) return range_csv(reply);
+  if (arguments.json) {
+    Json out = document("range");
+    out["experiment"] = reply.experiment();
+    out["responses"] = json_of(reply);
+    return text_of(out);
+  }
+  std::string text;
+  for (const auto& response : reply.responses()) text += range_detail_text(response) + "\n";
+  if (reply.responses_size() > 1) return text + range_matrix_text(reply);
+  return text + "* p < 0.05, ! fragile: leans on one run; ± standard error over seeds, 95 % of the level means\n";
+}
+
 }  // namespace
 
 Outcome results(const Arguments& arguments, Console& console) {
@@ -43,25 +57,20 @@ Outcome results(const Arguments& arguments, Console& console) {
 
 Outcome range(const Arguments& arguments, Console& console) {
   Session session;
-  if (auto opened = open_session(arguments, Need::kStored, session); !opened.ok()) return opened;
-  std::string id;
-  if (auto found = resolve_experiment(*session.lab, arguments, console, id); !found.ok()) return session.explain(found);
-  pb::RangeReply reply;
-  if (auto got = session.lab->range(id, arguments.response, reply); !got.ok()) return session.explain(got);
-  if (arguments.json) {
-    Json out = document("range");
-    out["experiment"] = id;
-    out["responses"] = json_of(reply);
-    console.out << text_of(out);
-    return done();
+  if (auto opened = open_session(arguments, arguments.article ? Need::kScratch : Need::kStored, session); !opened.ok())
+    return opened;
+  pb::RangeRequest request;
+  if (!arguments.article) {
+    if (auto found = resolve_experiment(*session.lab, arguments, console, *request.mutable_experiment()); !found.ok())
+      return session.explain(found);
   }
-  for (const auto& response : reply.responses()) console.out << range_detail_text(response) << "\n";
-  if (reply.responses_size() > 1)
-    console.out << range_matrix_text(reply);
-  else
-    console.out << "* p < 0.05, ! fragile: leans on one run; ± standard error over seeds, 95 % of the level means\n";
-  console.out.flush();
-  hint(arguments, console, "results " + id + " --csv -o results.csv");
+  request.set_response(arguments.response);
+  for (const int point : arguments.without) request.add_without(point);
+  pb::RangeReply reply;
+  if (auto got = session.lab->range(request, reply); !got.ok()) return session.explain(got);
+  console.out << rendered(arguments, reply) << std::flush;
+  if (!arguments.json && !arguments.csv)
+    hint(arguments, console, arguments.article ? "article check" : "results " + request.experiment() + " --csv -o results.csv");
   return done();
 }
 

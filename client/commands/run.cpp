@@ -39,18 +39,24 @@ Outcome hand_in(const Arguments& arguments, const pb::SubmitRequest& request, Se
   return session.explain(session.lab->retry(reply.experiment(), known));
 }
 
-void say_where_and_next(const Arguments& arguments, const pb::ExperimentStatus& status, Console& console) {
+/// A design whose points all have levels of their own is there to be learned from, not to be ranged over.
+void say_where_and_next(const Arguments& arguments, const pb::ExperimentStatus& status, bool ranged, Console& console) {
   const std::string where = arguments.server.empty() ? arguments.database : arguments.server;
   console.err << fmt::format("\nresults are in {}, experiment {}\n", where, status.experiment());
-  hint(arguments, console, "range last --response repose_angle");
-  hint(arguments, console, "results last --csv -o " + status.name() + ".csv");
+  if (ranged)
+    hint(arguments, console, "range last --response repose_angle");
+  else if (status.summary().error_degrees_of_freedom() < 0)
+    hint(arguments, console, "train " + status.experiment());
+  hint(arguments, console, "results " + status.experiment() + " --csv -o " + status.name() + ".csv");
   if (status.name().find("article") != std::string::npos) hint(arguments, console, "article compare last");
   if (status.jobs().failed() + status.jobs().quarantined() > 0) hint(arguments, console, "retry last");
 }
 
 Outcome finish(const Arguments& arguments, Session& session, const pb::ExperimentStatus& status, Console& console) {
+  pb::RangeRequest request;
+  request.set_experiment(status.experiment());
   pb::RangeReply range;
-  const Outcome analysed = session.lab->range(status.experiment(), "", range);
+  const Outcome analysed = session.lab->range(request, range);
   // Too few numbers to analyse is no failure of the verb: the reason is said, and the exit code tells of the trials.
   if (!analysed.ok() && analysed.exit != Exit::kInvalidInput) return session.explain(analysed);
   if (arguments.json) {
@@ -71,7 +77,7 @@ Outcome finish(const Arguments& arguments, Session& session, const pb::Experimen
     console.err << "  " << status.failures(i) << "\n";
   if (status.failures_size() > kFailuresShown)
     console.err << "  and more: regolab status last" << where_flags(arguments) << "\n";
-  say_where_and_next(arguments, status, console);
+  say_where_and_next(arguments, status, analysed.ok(), console);
   return verdict_of(status);
 }
 

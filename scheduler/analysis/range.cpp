@@ -6,6 +6,7 @@
 #include "scheduler/analysis/additive_model.h"
 #include "scheduler/analysis/level_means.h"
 #include "scheduler/analysis/point_means.h"
+#include "scheduler/analysis/table_shape.h"
 
 namespace regolab::analysis {
 namespace {
@@ -119,15 +120,15 @@ void rank_factors(std::vector<FactorAnalysis>& factors) {
   }
 }
 
-/// A stored table whose rows do not fit its factors is damaged; nothing can be read from it.
-bool well_formed(const ResultTable& table) {
-  return std::ranges::all_of(table.rows, [&](const TableRow& row) {
-    if (row.level.size() != table.factors.size()) return false;
-    for (std::size_t i = 0; i < row.level.size(); ++i) {
-      if (row.level[i] < 0 || static_cast<std::size_t>(row.level[i]) >= table.factors[i].levels.size()) return false;
-    }
-    return true;
-  });
+/// Nothing can be told apart where every point has levels of its own.
+Result<void> analysable(const ResultTable& table) {
+  if (!well_formed(table)) {
+    return Error{Code::kDataLoss,
+                 "the table's rows do not fit its factors (stored levels are damaged) submit the design again"};
+  }
+  if (const auto why = scatters(table))
+    return Error{Code::kFailedPrecondition, "a range analysis needs levels that repeat (" + *why + ") train a surrogate on it"};
+  return {};
 }
 
 Error no_such_response(const ResultTable& table, const std::string& response) {
@@ -151,10 +152,7 @@ bool is_primary(std::string_view response) {
 Result<ResponseAnalysis> analyse_range(const ResultTable& table, const std::string& response) {
   const auto found = std::ranges::find(table.responses, response, &TableResponse::id);
   if (found == table.responses.end()) return no_such_response(table, response);
-  if (!well_formed(table)) {
-    return Error{Code::kDataLoss,
-                 "the table's rows do not fit its factors (stored levels are damaged) submit the design again"};
-  }
+  if (auto fit = analysable(table); !fit.ok()) return fit.error();
   const PointMeans means = point_means(table, *found);
   if (means.points.size() < 2) {
     return Error{Code::kFailedPrecondition, response + " is known at " + std::to_string(means.points.size()) + " of " +
@@ -185,6 +183,7 @@ Result<ResponseAnalysis> analyse_range(const ResultTable& table, const std::stri
 }
 
 Result<std::vector<ResponseAnalysis>> analyse_ranges(const ResultTable& table, const std::string& response) {
+  if (auto fit = analysable(table); !fit.ok()) return fit.error();
   std::vector<ResponseAnalysis> analyses;
   const bool all = response == "all";
   if (!response.empty() && !all) {

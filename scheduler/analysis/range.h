@@ -52,7 +52,8 @@ struct ResponseAnalysis {
   std::vector<std::string> notes;
 };
 
-/// Errors: kNotFound (no such response; the text names those there are), kFailedPrecondition (fewer than two runs measured),
+/// Errors: kNotFound (no such response; the text names those there are), kFailedPrecondition (fewer than two runs measured, or
+/// points that scatter: table_shape.h),
 /// kDataLoss (rows that do not fit the factors).
 Result<ResponseAnalysis> analyse_range(const ResultTable& table, const std::string& response);
 

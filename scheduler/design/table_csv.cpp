@@ -160,7 +160,7 @@ void derive_levels(Column& column, Report& report) {
   for (const double value : sorted) {
     if (!level_of(column.factor, value)) column.factor.values.push_back(value);
   }
-  if (column.factor.values.size() < 2) {
+  if (column.factor.values.size() < 2 && column.values.size() > 1) {  // one row is one material
     report.add(column.factor.place, "column '" + std::string(column.factor.field.name) + "' has the same value in every row (a factor "
                                         "has two levels or more) put it under `fixed` instead");
   }
@@ -175,9 +175,9 @@ std::vector<std::vector<int>> read_table(std::string_view csv, DampingUnit dampi
     return {};
   }
   const std::vector<Line> lines = split_table(csv);
-  if (lines.size() < 3 || lines.size() > kMostPoints + 1) {
+  if (lines.size() < 2 || lines.size() > kMostPoints + 1) {
     report.add({}, "table has " + std::to_string(lines.empty() ? 0 : lines.size() - 1) +
-                       " rows below its header (a design has 2 to " + std::to_string(kMostPoints) + ") add or remove rows");
+                       " rows below its header (a table has 1 to " + std::to_string(kMostPoints) + ") add or remove rows");
     return {};
   }
   std::vector<Column> columns = read_headings(lines.front(), damping, factors, report);

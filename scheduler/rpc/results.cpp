@@ -1,6 +1,7 @@
 #include "scheduler/rpc/results.h"
 
 #include "rpc/convert.h"
+#include "scheduler/analysis/table_shape.h"
 #include "scheduler/rpc/analysis_convert.h"
 #include "scheduler/rpc/functions_convert.h"
 #include "scheduler/rpc/grpc_status.h"
@@ -37,11 +38,14 @@ grpc::Status ResultsService::GetResults(grpc::ServerContext*, const v1::ResultsR
 }
 
 grpc::Status ResultsService::Range(grpc::ServerContext*, const v1::RangeRequest* request, v1::RangeReply* reply) {
-  const auto table = table_of(database_, request->experiment());
+  const bool article = request->experiment().empty();
+  auto table = article ? Result<NamedTable>(NamedTable{analysis::article_results(), "article"}) : table_of(database_, request->experiment());
   if (!table.ok()) return to_grpc(table.error());
-  const auto ranges = analysis::analyse_ranges(table->table, request->response());
+  const auto kept = analysis::without_points(std::move(table->table), {request->without().begin(), request->without().end()});
+  if (!kept.ok()) return to_grpc(kept.error());
+  const auto ranges = analysis::analyse_ranges(*kept, request->response());
   if (!ranges.ok()) return to_grpc(ranges.error());
-  *reply = to_proto(request->experiment(), *ranges);
+  *reply = to_proto(article ? "article" : request->experiment(), *ranges);
   return grpc::Status::OK;
 }
 

@@ -79,6 +79,9 @@ TEST_F(Study, TheArticlesOwnTablesNeedNoDatabase) {
   const auto document = json::parse(ran.out);
   EXPECT_EQ(document["format"], "regolab.article-check/1");
   EXPECT_GE(document["entries"].size(), 56U);
+  const Ran range = regolab("range --article --without 3 --without 27 --csv --response repose_angle");
+  EXPECT_EQ(range.code, 0) << range.err;
+  EXPECT_THAT(range.out, HasSubstr("\nrepose_angle,deg,30,"));
   EXPECT_THAT(listing(), ElementsAre("a.yaml"));
 }
 

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "tests/unit/client/samples.h"
@@ -32,6 +33,23 @@ TEST(CsvWrite, BitEqualResultsGiveByteEqualText) {
   auto& density = (*other.mutable_rows(0)->mutable_value_si())["bulk_density"];
   density = std::nextafter(density, 0.0);
   EXPECT_NE(results_csv(other), once);
+}
+
+TEST(CsvWrite, ARangeAnalysisIsALinePerLevel) {
+  pb::RangeReply range = sample_range();
+  const auto lines = [&] {
+    const std::string text = range_csv(range);
+    return std::count(text.begin(), text.end(), '\n');
+  };
+  int levels = 0;
+  for (const auto& response : range.responses()) {
+    for (const auto& factor : response.factors()) levels += factor.levels_size();
+  }
+  EXPECT_EQ(lines(), 1 + levels);
+  EXPECT_NE(range_csv(range).find("\nbulk_density,g/cm3,4,1.575,0.022,1,0.01,theta_F,deg,1,0.25,"), std::string::npos)
+      << range_csv(range);
+  range.mutable_responses(1)->mutable_factors(1)->clear_p();  // not known: an empty cell, never a number
+  EXPECT_NE(range_csv(range), range_csv(sample_range()));
 }
 
 TEST(CsvWrite, CurvesAreInDoorUnits) {

@@ -15,6 +15,7 @@ namespace regolab::client {
 namespace {
 
 using ::testing::HasSubstr;
+using ::testing::Not;
 namespace fs = std::filesystem;
 
 /// Runs verbs against a scheduler that answers what it was told.
@@ -111,6 +112,17 @@ TEST_F(VerbsTest, RunShowsTheDesignFollowsAndEndsWithTheRangeAnalysis) {
   EXPECT_THAT(out_.str(), HasSubstr("theta_F"));
   ASSERT_EQ(fake_.submissions().size(), 1U);
   EXPECT_EQ(fake_.submissions()[0].design_yaml(), "name: sample\n");
+}
+
+TEST_F(VerbsTest, RunOfAScatteredDesignNamesTrainingInsteadOfARange) {
+  fake_.refusal = {grpc::StatusCode::FAILED_PRECONDITION, "a range analysis needs levels that repeat (why) remedy"};
+  fake_.final_status.mutable_summary()->set_error_degrees_of_freedom(-40);
+  EXPECT_EQ(run({"run", design_}), 0);
+  EXPECT_EQ(out_.str(), "");
+  EXPECT_THAT(err_.str(), HasSubstr("no range analysis: a range analysis needs levels that repeat"));
+  EXPECT_THAT(err_.str(), HasSubstr("next: regolab train E1"));
+  EXPECT_THAT(err_.str(), HasSubstr("next: regolab results E1 --csv -o sample.csv"));
+  EXPECT_THAT(err_.str(), Not(HasSubstr("regolab range")));
 }
 
 TEST_F(VerbsTest, RunLeavesWithFiveWhenTrialsHaveNoNumbers) {
