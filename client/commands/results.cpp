@@ -70,7 +70,8 @@ Outcome range(const Arguments& arguments, Console& console) {
   if (auto got = session.lab->range(request, reply); !got.ok()) return session.explain(got);
   console.out << rendered(arguments, reply) << std::flush;
   if (!arguments.json && !arguments.csv)
-    hint(arguments, console, arguments.article ? "article check" : "results " + request.experiment() + " --csv -o results.csv");
+    hint(arguments, console,
+         arguments.article ? "article check" : "results " + request.experiment() + " --csv -o results.csv");
   return done();
 }
 

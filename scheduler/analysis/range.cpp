@@ -127,7 +127,8 @@ Result<void> analysable(const ResultTable& table) {
                  "the table's rows do not fit its factors (stored levels are damaged) submit the design again"};
   }
   if (const auto why = scatters(table))
-    return Error{Code::kFailedPrecondition, "a range analysis needs levels that repeat (" + *why + ") train a surrogate on it"};
+    return Error{Code::kFailedPrecondition,
+                 "a range analysis needs levels that repeat (" + *why + ") train a surrogate on it"};
   return {};
 }
 

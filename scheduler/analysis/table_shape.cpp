@@ -18,7 +18,8 @@ bool well_formed(const ResultTable& table) {
 Result<ResultTable> without_points(ResultTable table, const std::vector<int>& points) {
   for (const int point : points) {
     if (std::ranges::find(table.rows, point, &TableRow::point) == table.rows.end())
-      return Error{Code::kNotFound, "no point " + std::to_string(point) + " to leave out (the points are numbered from 1) name one of the table's"};
+      return Error{Code::kNotFound, "no point " + std::to_string(point) +
+                                        " to leave out (the points are numbered from 1) name one of the table's"};
   }
   std::erase_if(table.rows, [&](const TableRow& row) { return std::ranges::find(points, row.point) != points.end(); });
   return table;

@@ -15,8 +15,8 @@ bool well_formed(const ResultTable& table);
 /// Error: kNotFound when the table has no such point.
 Result<ResultTable> without_points(ResultTable table, const std::vector<int>& points);
 
-/// "theta_F has 192 levels at 192 points" when the points scatter: more effects than points, and fewer than two points a level
-/// of some factor. Then level means are single runs, in which all factors vary at once. REQUIRES: well_formed(table).
+/// "theta_F has 192 levels at 192 points" when the points scatter: more effects than points, and fewer than two points a
+/// level of some factor. Then level means are single runs, in which all factors vary at once. REQUIRES: well_formed(table).
 std::optional<std::string> scatters(const ResultTable& table);
 
 }  // namespace regolab::analysis

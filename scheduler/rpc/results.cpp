@@ -39,9 +39,11 @@ grpc::Status ResultsService::GetResults(grpc::ServerContext*, const v1::ResultsR
 
 grpc::Status ResultsService::Range(grpc::ServerContext*, const v1::RangeRequest* request, v1::RangeReply* reply) {
   const bool article = request->experiment().empty();
-  auto table = article ? Result<NamedTable>(NamedTable{analysis::article_results(), "article"}) : table_of(database_, request->experiment());
+  auto table = article ? Result<NamedTable>(NamedTable{analysis::article_results(), "article"})
+                       : table_of(database_, request->experiment());
   if (!table.ok()) return to_grpc(table.error());
-  const auto kept = analysis::without_points(std::move(table->table), {request->without().begin(), request->without().end()});
+  const auto kept =
+      analysis::without_points(std::move(table->table), {request->without().begin(), request->without().end()});
   if (!kept.ok()) return to_grpc(kept.error());
   const auto ranges = analysis::analyse_ranges(*kept, request->response());
   if (!ranges.ok()) return to_grpc(ranges.error());

@@ -21,7 +21,8 @@ struct ServiceTest : testing::Test {
   std::unique_ptr<Server> server;
   std::unique_ptr<LabClient> client;
 
-  explicit ServiceTest(Millis lease_ttl = 1000) : policy{.lease_ttl = lease_ttl, .first_backoff = 20, .longest_backoff = 100} {
+  explicit ServiceTest(Millis lease_ttl = 1000)
+      : policy{.lease_ttl = lease_ttl, .first_backoff = 20, .longest_backoff = 100} {
     start();
   }
   void start() {

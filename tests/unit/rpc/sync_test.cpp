@@ -12,7 +12,8 @@ using test::FakeStage;
 using test::l4_yaml;
 using testing::HasSubstr;
 
-/// A worker played by hand, report by report. No lease runs out in an hour, so nothing here depends on how fast the machine is.
+/// A worker played by hand, report by report. No lease runs out in an hour, so nothing here depends on how fast the machine
+/// is.
 struct SyncTest : test::ServiceTest {
   SyncTest() : ServiceTest(3'600'000) {}
 
