@@ -57,8 +57,8 @@ std::string kilopascals(double pascal) {
   return std::string(buffer, end.ptr) + "kPa";
 }
 
-std::optional<CurveModel> curve_model(const Dataset& data, const std::function<GaussianProcess(Observations, std::size_t)>& fit) {
-  CurveModel model{.sigma3 = stresses_of(data), .mean = {}, .components = {}, .residual = {}, .processes = {}};
+std::optional<CurveModel> curve_model(const Dataset& data, const Scatter& scatter, const std::function<GaussianProcess(Observations, std::size_t)>& fit) {
+  CurveModel model{.sigma3 = stresses_of(data), .mean = {}, .components = {}, .residual = {}, .processes = {}, .scatter = scatter};
   if (model.sigma3.empty()) return std::nullopt;
   std::vector<std::vector<double>> logs;
   std::vector<Inputs> inputs;
@@ -78,7 +78,7 @@ std::optional<CurveModel> curve_model(const Dataset& data, const std::function<G
     const auto k = static_cast<std::size_t>(i);
     y.row(i) = Eigen::Map<const Eigen::RowVectorXd>(logs[k].data(), width);
     observations.x.row(i) = inputs[k].scaled.transpose();
-    observations.runs[i] = seeds[k] * inputs[k].grains;
+    observations.runs[i] = seeds[k] * inputs[k].grains / scatter.factor(inputs[k].scaled);
   }
   model.mean = y.colwise().mean().transpose();
   y.rowwise() -= model.mean.transpose();
@@ -123,7 +123,7 @@ std::vector<CurveValue> curves_at(const CurveModel& model, const Inputs& inputs,
       const double weight = mix(model.components.col(static_cast<Eigen::Index>(c)));
       mean += weight * scores[c].mean;
       variance += weight * weight * scores[c].variance;
-      noise += weight * weight * scores[c].noise / inputs.grains;
+      noise += weight * weight * scores[c].noise * model.scatter.factor(inputs.scaled) / inputs.grains;
     }
     out.push_back({mean, std::sqrt(variance), std::sqrt(variance + noise + left * left)});
   }

@@ -18,7 +18,7 @@ struct Between {
 std::optional<Between> between(const std::vector<double>& sigma3, double at);
 
 /// From the dataset's curve samples; empty when too few rows hold whole curves. `fit` gives the process of one score.
-std::optional<CurveModel> curve_model(const Dataset& data, const std::function<GaussianProcess(Observations, std::size_t k)>& fit);
+std::optional<CurveModel> curve_model(const Dataset& data, const Scatter& scatter, const std::function<GaussianProcess(Observations, std::size_t k)>& fit);
 
 /// Logarithm of sigma1 on the strain grid, with standard deviations; empty outside the confining stresses of the data.
 struct CurveValue {

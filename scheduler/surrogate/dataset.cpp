@@ -60,10 +60,15 @@ Result<std::vector<double>> values_of(const Source& source, const std::string& n
   return std::vector<double>{*value};
 }
 
+/// Mean and squared deviations of values that come one after the other [Welford 1962].
 struct Sum {
-  double value = 0;
+  double mean = 0, squares = 0;
   int seeds = 0;
-  void add(double v) { value += v, ++seeds; }
+  void add(double v) {
+    const double off = v - mean;
+    mean += off / ++seeds;
+    squares += off * (v - mean);
+  }
 };
 
 /// A material that was run before is one row: seeds of all its runs together.
@@ -76,7 +81,9 @@ void merge(DataRow row, Dataset& data) {
   same->source += "; " + row.source;
   for (const auto& [id, mean] : row.mean) {
     SeedMean& known = same->mean[id];
-    known.value = (known.value * known.seeds + mean.value * mean.seeds) / (known.seeds + mean.seeds);
+    const double both = known.seeds + mean.seeds, off = mean.value - known.value;
+    known.squares += mean.squares + off * off * known.seeds * mean.seeds / both;
+    known.value += off * mean.seeds / both;
     known.seeds += mean.seeds;
   }
 }
@@ -146,7 +153,7 @@ Result<std::vector<DataRow>> rows_of(const Source& source, const std::vector<Inp
   for (const auto& [point, sum] : sums) {
     if (sum.empty()) continue;
     DataRow row{.source = source.table.experiment + ", point " + std::to_string(point), .x = inputs[point], .mean = {}};
-    for (const auto& [id, s] : sum) row.mean[id] = {s.value / s.seeds, s.seeds};
+    for (const auto& [id, s] : sum) row.mean[id] = {s.mean, s.seeds, s.squares};
     out.push_back(std::move(row));
   }
   return out;

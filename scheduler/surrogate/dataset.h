@@ -20,8 +20,9 @@ struct InputColumn {
 
 /// The mean of a response over the seeds of a point.
 struct SeedMean {
-  double value = 0;  ///< [SI]
+  double value = 0;    ///< [SI]
   int seeds = 0;
+  double squares = 0;  ///< sum of squared deviations of the seeds from it; not kept in a model's file
 };
 
 struct DataRow {

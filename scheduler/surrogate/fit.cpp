@@ -17,11 +17,18 @@ constexpr std::string_view kModelled[] = {"contacts_per_particle", "bulk_density
 constexpr std::string_view kModelledFamilies[] = {"sigma1_at_sigma3_", "sigma1_peak_at", "E50_at", "penetration_"};
 
 constexpr int kFolds = 10;
+constexpr double kLeastInflation = 0.5, kMostInflation = 3;
 
 struct Held {
-  double measured, predicted, half_width;  // as modelled, before inflation
-  int fold = 0;                            // of its material
-  bool within(double inflation) const { return std::abs(predicted - measured) <= inflation * half_width; }
+  double measured, predicted;  // as modelled
+  double variance, noise;      // of the prediction before inflation; of the measured mean
+  int fold = 0;                // of its material
+  bool within(double inflation) const { return std::abs(predicted - measured) <= kNormal90 * std::sqrt(inflation * inflation * variance + noise); }
+  /// Square of the inflation that would just reach it.
+  double needed() const {
+    const double off = (predicted - measured) / kNormal90;
+    return std::max(0.0, off * off - noise) / variance;
+  }
 };
 
 double correlation(const std::vector<Held>& held) {
@@ -41,12 +48,12 @@ double correlation(const std::vector<Held>& held) {
 double inflation_of(const std::vector<Held>& held, int without = -1) {
   std::vector<double> ratio;
   for (const Held& h : held) {
-    if (h.fold != without) ratio.push_back(std::abs(h.predicted - h.measured) / h.half_width);
+    if (h.fold != without) ratio.push_back(h.needed());
   }
   if (ratio.empty()) return 1;
   std::ranges::sort(ratio);
   const auto at = static_cast<std::size_t>(std::ceil(kCoverage * static_cast<double>(ratio.size()))) - 1;
-  return std::clamp(ratio[at], 0.7, 2.0);
+  return std::clamp(std::sqrt(ratio[at]), kLeastInflation, kMostInflation);
 }
 
 /// Share inside bands whose width was set by the other folds: a width set by all would cover 90 % whatever it is worth.
@@ -165,6 +172,45 @@ std::vector<Family> families_of(const Dataset& data) {
   return out;
 }
 
+namespace {
+
+/// The seeds of a row about their mean, over some members, for the smallest specimen.
+Repeats repeats_of(const Dataset& data, const DataRow& row, const std::vector<std::string>& members) {
+  const Inputs inputs = inputs_of(data.columns, row.x);
+  Repeats out{.scaled = inputs.scaled};
+  for (const std::string& id : members) {
+    const SeedMean& m = row.mean.at(id);
+    const double unit = by_logarithm(id) ? m.value : 1;  // a small deviation of the logarithm is a relative one
+    out.variance += m.squares / (unit * unit) * inputs.grains;
+    out.freedom += m.seeds - 1;
+  }
+  if (out.freedom > 0) out.variance /= out.freedom;
+  return out;
+}
+
+/// Variance of one run of the average material; 0 without repeats.
+double noise_of(const Dataset& data, const Family& family, const std::string& member) {
+  double sum = 0, freedom = 0;
+  for (const std::size_t r : family.rows) {
+    const Repeats one = repeats_of(data, data.rows[r], {member});
+    if (one.freedom <= 0) continue;
+    sum += one.freedom * one.variance / family.scatter.factor(one.scaled);
+    freedom += one.freedom;
+  }
+  return freedom > 0 ? sum / freedom : 0;
+}
+
+}  // namespace
+
+Scatter scatter_of(const Dataset& data, const Family& family) {
+  std::vector<Repeats> repeats;
+  for (const std::size_t r : family.rows) {
+    Repeats one = repeats_of(data, data.rows[r], family.members);
+    if (one.freedom > 0) repeats.push_back(std::move(one));
+  }
+  return fit_scatter(repeats);
+}
+
 Observations observations_of(const Dataset& data, const Family& family, std::size_t k) {
   const auto n = static_cast<Eigen::Index>(family.rows.size());
   Observations out{Eigen::MatrixXd(n, inputs_of(data.columns, data.rows[family.rows[0]].x).scaled.size()), Eigen::VectorXd(n), Eigen::VectorXd(n)};
@@ -176,7 +222,7 @@ Observations observations_of(const Dataset& data, const Family& family, std::siz
     for (std::size_t j = 0; j < family.members.size(); ++j) {
       out.y[i] += family.contrast(static_cast<Eigen::Index>(j), static_cast<Eigen::Index>(k)) * modelled(row, family.members[j]);
     }
-    out.runs[i] = row.mean.at(family.members.front()).seeds * inputs.grains;
+    out.runs[i] = row.mean.at(family.members.front()).seeds * inputs.grains / family.scatter.factor(inputs.scaled);
   }
   return out;
 }
@@ -189,7 +235,7 @@ std::vector<ResponseModel> response_models(const Dataset& data, const Family& fa
   std::vector<ResponseModel> out;
   for (std::size_t j = 0; j < family.members.size(); ++j) {
     const std::string& id = family.members[j];
-    ResponseModel model{.id = id, .unit = data.unit.at(id), .logarithm = by_logarithm(id), .family = family.name, .weight = {}, .processes = processes, .skill = {}};
+    ResponseModel model{.id = id, .unit = data.unit.at(id), .logarithm = by_logarithm(id), .family = family.name, .weight = {}, .processes = processes, .scatter = family.scatter, .skill = {}};
     for (std::size_t k = 0; k < processes.size(); ++k) model.weight.push_back(family.contrast(static_cast<Eigen::Index>(j), static_cast<Eigen::Index>(k)));
     out.push_back(std::move(model));
   }
@@ -201,17 +247,20 @@ void judge(const Dataset& data, const Family& family, std::vector<ResponseModel>
   const std::vector<int> materials = materials_of(data, family.rows);
   for (const auto& process : members.front().processes) left_out.push_back(process->leave_groups_out(materials));
   for (ResponseModel& model : members) {
+    model.noise = noise_of(data, family, model.id);
     std::vector<Held> held;
     for (std::size_t i = 0; i < family.rows.size(); ++i) {
       const DataRow& row = data.rows[family.rows[i]];
-      const double grains = inputs_of(data.columns, row.x).grains;
-      double mean = 0, variance = 0;
+      const Inputs inputs = inputs_of(data.columns, row.x);
+      const double runs = row.mean.at(model.id).seeds * inputs.grains / model.scatter.factor(inputs.scaled);
+      double mean = 0, variance = 0, noise = 0;
       for (std::size_t k = 0; k < left_out.size(); ++k) {
         const auto& p = left_out[k][i];
         mean += model.weight[k] * p.mean;
-        variance += model.weight[k] * model.weight[k] * (p.variance + p.noise / (row.mean.at(model.id).seeds * grains));
+        variance += model.weight[k] * model.weight[k] * p.variance;
+        noise += model.weight[k] * model.weight[k] * p.noise;
       }
-      held.push_back({modelled(row, model.id), mean, kNormal90 * std::sqrt(variance), materials[i] % kFolds});
+      held.push_back({modelled(row, model.id), mean, variance, (model.noise > 0 ? model.noise : noise) / runs, materials[i] % kFolds});
     }
     model.inflation = inflation_of(held);
     model.skill = skill_of(held, model.logarithm);

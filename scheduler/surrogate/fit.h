@@ -4,16 +4,22 @@
 
 namespace regolab::surrogate {
 
+inline constexpr const char* kStrengthFamily = "sigma1_at_sigma3_*";
+
 /// Responses that are modelled together: one property, or one at several confining stresses.
 struct Family {
   std::string name;                 ///< "bulk_density", "sigma1_at_sigma3_*"
   std::vector<std::string> members; ///< [m] ids, by stress
   Eigen::MatrixXd contrast;         ///< [m][m] orthonormal: member j = sum over k of contrast(j, k) * process k
   std::vector<std::size_t> rows;    ///< of the dataset, that hold every member
+  Scatter scatter;                  ///< of one run, as modelled
 };
 
 /// What the data hold often enough to be learned, in the order of names.
 std::vector<Family> families_of(const Dataset& data);
+
+/// How the runs of one material scatter, from the seeds behind each row.
+Scatter scatter_of(const Dataset& data, const Family& family);
 
 /// What process k of a family is fitted to.
 Observations observations_of(const Dataset& data, const Family& family, std::size_t k);

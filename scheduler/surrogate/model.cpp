@@ -19,8 +19,8 @@ struct Band {
 
 Band band_of(const ResponseModel& response, const Inputs& x) {
   const auto p = response.predict(x);
-  const double width = kNormal90 * response.inflation;
-  return {p.mean, width * std::sqrt(p.variance), width * std::sqrt(p.variance + p.noise)};
+  const double own = response.inflation * response.inflation * p.variance;
+  return {p.mean, kNormal90 * std::sqrt(own), kNormal90 * std::sqrt(own + p.noise)};
 }
 
 Estimate estimate_of(const std::string& id, const std::string& unit, bool logarithm, const Band& b) {
@@ -37,8 +37,9 @@ GaussianProcess::Prediction ResponseModel::predict(const Inputs& inputs) const {
     const auto p = processes[k]->predict(inputs.scaled);
     out.mean += weight[k] * p.mean;
     out.variance += weight[k] * weight[k] * p.variance;
-    out.noise += weight[k] * weight[k] * p.noise / inputs.grains;
+    out.noise += weight[k] * weight[k] * p.noise;
   }
+  out.noise = (noise > 0 ? noise : out.noise) * scatter.factor(inputs.scaled) / inputs.grains;
   return out;
 }
 

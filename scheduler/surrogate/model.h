@@ -8,6 +8,7 @@
 
 #include "scheduler/surrogate/dataset.h"
 #include "scheduler/surrogate/gaussian_process.h"
+#include "scheduler/surrogate/scatter.h"
 
 namespace regolab::surrogate {
 
@@ -37,10 +38,12 @@ struct ResponseModel {
   std::string id;
   std::string unit;
   bool logarithm = false;
-  double inflation = 1;          ///< of the band, so that it covers 90 % of the points left out
+  double inflation = 1;          ///< of what the process does not know, so that bands cover 90 % of the points left out
+  double noise = 0;              ///< variance of one run of the average material, as repeats show it; 0: none were run
   std::string family;            ///< "sigma1_at_sigma3_*", or the id
   std::vector<double> weight;    ///< [n_processes] the response is their sum with these weights
   std::vector<std::shared_ptr<const GaussianProcess>> processes;  ///< shared within a family
+  Scatter scatter;               ///< likewise: the noise of a process is that of the average material
   Skill skill;                   ///< each material left out in turn
 
   /// As modelled, that is of the logarithm where it is.
@@ -54,6 +57,7 @@ struct CurveModel {
   Eigen::MatrixXd components;                ///< [n * (kStrainSteps + 1)][n_components]
   Eigen::VectorXd residual;                  ///< standard deviation that the components leave
   std::vector<GaussianProcess> processes;    ///< [n_components] of the scores
+  Scatter scatter;
 };
 
 struct Model {

@@ -34,11 +34,12 @@ Json body_of(const Model& model) {
   }
   for (const ResponseModel& r : model.responses) {
     const Skill& s = r.skill;
-    out["responses"].push_back({{"id", r.id}, {"unit", r.unit}, {"inflation", r.inflation}, {"points", s.points}, {"r", s.r}, {"r2", s.r2},
+    out["responses"].push_back({{"id", r.id}, {"unit", r.unit}, {"inflation", r.inflation}, {"noise", r.noise}, {"points", s.points}, {"r", s.r}, {"r2", s.r2},
                                 {"rms", s.rms}, {"relative", s.relative}, {"coverage", s.coverage}});
     Json& family = out["families"][r.family];
     if (!family.is_null()) continue;
     for (const auto& process : r.processes) family.push_back(hyper_json(process->hyperparameters()));
+    out["scatter"][r.family] = {{"slope", r.scatter.slope}, {"centre", r.scatter.centre}};
   }
   if (model.curves) {
     for (const GaussianProcess& p : model.curves->processes) out["curves"].push_back(hyper_json(p.hyperparameters()));
@@ -63,7 +64,7 @@ Dataset dataset_from(const Parsed& in) {
   for (const Parsed& r : in.at("rows")) {
     DataRow row{.source = r.at("source"), .x = r.at("x").get<std::vector<double>>(), .mean = {}};
     if (row.x.size() != data.columns.size()) throw std::out_of_range("a row does not fit the columns");
-    for (const auto& [id, mean] : r.at("mean").items()) row.mean[id] = {mean.at(0), mean.at(1)};
+    for (const auto& [id, mean] : r.at("mean").items()) row.mean[id] = {mean.at(0), mean.at(1), 0.0};
     data.rows.push_back(std::move(row));
   }
   if (data.rows.size() < kFewestRows) throw std::out_of_range("too few rows");
@@ -77,6 +78,14 @@ const Parsed& said_of(const Parsed& in, const std::string& response) {
   throw std::out_of_range("a response is missing");
 }
 
+Scatter scatter_from(const Parsed& in, const std::string& family, std::size_t width) {
+  if (!in.contains("scatter") || !in.at("scatter").contains(family)) return {};
+  const Parsed& j = in.at("scatter").at(family);
+  Scatter scatter{j.at("slope").get<std::vector<double>>(), j.at("centre").get<std::vector<double>>()};
+  if (scatter.slope.size() != scatter.centre.size() || (!scatter.slope.empty() && scatter.slope.size() != width)) throw std::out_of_range("scatter does not fit the columns");
+  return scatter;
+}
+
 Model model_from(const Parsed& in) {
   Model model{.name = in.at("name"), .physics_version = in.at("physics_version"), .data = dataset_from(in), .responses = {}, .curves = {}};
   const auto width = static_cast<std::size_t>(inputs_of(model.data.columns, model.data.rows.front().x).scaled.size());
@@ -85,19 +94,22 @@ Model model_from(const Parsed& in) {
     if (h.log_length.size() != width) throw std::out_of_range("hyperparameters do not fit the columns");
     return h;
   };
-  for (const Family& family : families_of(model.data)) {
+  for (Family& family : families_of(model.data)) {
+    family.scatter = scatter_from(in, family.name, width);
     std::vector<Hyperparameters> kept;
     for (const Parsed& j : in.at("families").at(family.name)) kept.push_back(checked(j));
     for (ResponseModel& response : response_models(model.data, family, kept)) {
       const Parsed& said = said_of(in, response.id);
       response.inflation = said.at("inflation");
+      response.noise = said.at("noise");
       response.skill = {said.at("points"), said.at("r"), said.at("r2"), said.at("rms"), said.at("relative"), said.at("coverage")};
       model.responses.push_back(std::move(response));
     }
   }
   if (in.contains("curves")) {
     const Parsed& list = in.at("curves");
-    model.curves = curve_model(model.data, [&](Observations o, std::size_t k) { return GaussianProcess(std::move(o), checked(list.at(k))); });
+    model.curves = curve_model(model.data, scatter_from(in, kStrengthFamily, width),
+                               [&](Observations o, std::size_t k) { return GaussianProcess(std::move(o), checked(list.at(k))); });
   }
   model.id = in.at("id");
   return model;
