@@ -1,11 +1,13 @@
 #include "scheduler/rpc/bank_source.h"
 
 #include <algorithm>
+#include <iterator>
 #include <map>
 
 #include "input/field_value.h"
 #include "input/number_text.h"
 #include "input/unit_convert.h"
+#include "scheduler/rpc/bank_variants.h"
 #include "scheduler/rpc/profile_name.h"
 
 namespace regolab {
@@ -69,6 +71,15 @@ Result<void> add_factors(const ExperimentRecord& design, gap::BankSource& source
   return {};
 }
 
+/// Effects that a study keeps fixed. A stage knows those that act in it.
+void add_effects(const EffectSet& effects, gap::BankSource& source) {
+  for (const EffectInfo& effect : all_effects()) {
+    const std::string name(effect.name);
+    if (effects[effect.id] == 0 || std::ranges::any_of(source.inputs, [&](const auto& known) { return known.first.name == name; })) continue;
+    source.inputs.emplace_back(gap::BankInput{name, std::string(effect.si)}, effects[effect.id]);
+  }
+}
+
 }  // namespace
 
 Result<std::vector<gap::BankSource>> bank_sources(Reader& reader, const std::string& label) {
@@ -77,6 +88,7 @@ Result<std::vector<gap::BankSource>> bank_sources(Reader& reader, const std::str
   const auto stages = reader.stages(design->id);
   if (!stages.ok()) return stages.error();
   std::map<std::pair<int, std::uint64_t>, gap::BankSource> sources;
+  std::map<std::pair<int, std::uint64_t>, std::vector<FinishedStress>> stress;
   for (const StoredStage& stage : *stages) {
     const auto [at, fresh] = sources.try_emplace({stage.link.point, stage.link.seed});
     gap::BankSource& source = at->second;
@@ -86,14 +98,26 @@ Result<std::vector<gap::BankSource>> bank_sources(Reader& reader, const std::str
       add_micro(stage.record.identity.spec, source);
       if (auto added = add_factors(*design, source); !added.ok()) return added.error();
     }
+    add_effects(stage.record.identity.spec.effects, source);
     const bool measures = stage.record.identity.spec.kind != StageKind::kSettle;  // settling leaves long curves of its own course
     if (!measures || stage.record.status.end != StageEnd::kCompleted) continue;
     const auto result = reader.result(stage.link.job);
     if (!result.ok()) return result.error();
     gap::add_readings(*result, source.readings);
+    if (stage.record.identity.spec.kind == StageKind::kStress) stress[at->first].push_back({stage.record.identity.spec, *result});
   }
   std::vector<gap::BankSource> out;
-  for (auto& [cell, source] : sources) out.push_back(std::move(source));
+  int point = 0;
+  for (auto& [cell, source] : sources) {
+    const bool first = cell.first != point;  // variants of a point's first seed
+    point = cell.first;
+    if (first) {
+      auto variants = bank_variants(source, stress[cell]);
+      if (!variants.ok()) return variants.error();
+      std::ranges::move(*variants, std::back_inserter(out));
+    }
+    out.push_back(std::move(source));
+  }
   return out;
 }
 

@@ -6,7 +6,7 @@
 namespace regolab {
 
 /// Inputs come from the stages themselves, bit for bit; factors that are no part of a material (the strength of an effect, a number
-/// of the numerics) from the design's levels. Errors: kNotFound, kInvalidArgument (a level that cannot be read).
+/// of the numerics) from the design's levels. Runs without effects come again as an erring apparatus would show them (bank_variants.h). Errors: kNotFound, kInvalidArgument (a level that cannot be read).
 Result<std::vector<gap::BankSource>> bank_sources(Reader& reader, const std::string& label);
 
 }  // namespace regolab

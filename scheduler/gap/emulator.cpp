@@ -1,0 +1,202 @@
+#include "scheduler/gap/emulator.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numeric>
+
+#include "scheduler/gap/repeats.h"
+
+namespace regolab::gap {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+constexpr std::size_t kFewestMaterials = 20;
+constexpr std::size_t kFewestOfEffect = 8;
+
+/// Features that one kernel serves: they answer to the same parameters.
+int family_of(const FeatureInfo& f) {
+  if (f.group.test != Test::kStress) return f.id == "repose_column_stood" ? 6 : static_cast<int>(f.group.test);
+  switch (f.group.part) {
+    case Part::kSeating:
+    case Part::kVolume: return 3 + 4;
+    case Part::kStiffness:
+    case Part::kEarly: return 3 + 5;
+    case Part::kLateral: return 3 + 6;
+    default: return 3 + 7;
+  }
+}
+
+std::vector<std::vector<Index>> families_of(const std::vector<FeatureInfo>& features) {
+  std::map<int, std::vector<Index>> by_family;
+  for (std::size_t j = 0; j < features.size(); ++j) by_family[family_of(features[j])].push_back(static_cast<Index>(j));
+  std::vector<std::vector<Index>> out;
+  for (auto& [family, members] : by_family) out.push_back(std::move(members));
+  return out;
+}
+
+VectorXd values_of(const Bank& bank, const BankRow& row, const Space& space) {
+  VectorXd out(static_cast<Index>(space.size()));
+  for (std::size_t k = 0; k < space.size(); ++k) out[static_cast<Index>(k)] = row.inputs[*bank.input(space.axes[k].name)];
+  return out;
+}
+
+/// Index of the one cause that a row has; -1: none, -2: several, or one that is no hypothesis.
+int cause_of(const Bank& bank, const BankRow& row, const std::vector<Cause>& causes) {
+  int found = -1;
+  for (std::size_t i = 0; i < bank.inputs.size(); ++i) {
+    if (row.inputs[i] == 0 || !find_effect(bank.inputs[i].name)) continue;
+    const auto cause = std::ranges::find(causes, find_effect(bank.inputs[i].name), &Cause::effect);
+    if (found != -1 || cause == causes.end()) return -2;
+    found = static_cast<int>(cause - causes.begin());
+  }
+  return found;
+}
+
+bool complete(const MatrixXd& y, Index row, const std::vector<Index>& members) {
+  return std::ranges::all_of(members, [&](Index j) { return std::isfinite(y(row, j)); });
+}
+
+/// Rows of a sample that hold every member.
+Sample part_of(const MatrixXd& x, const MatrixXd& y, const VectorXd& weight, const std::vector<Index>& members) {
+  std::vector<Index> rows;
+  for (Index i = 0; i < y.rows(); ++i) {
+    if (complete(y, i, members)) rows.push_back(i);
+  }
+  return {x(rows, Eigen::all), y(rows, members), VectorXd(weight(rows))};
+}
+
+struct EffectRuns {
+  std::vector<VectorXd> values;
+  std::vector<double> strength;
+  std::vector<VectorXd> features;
+};
+
+}  // namespace
+
+double Cause::strength(double u) const {
+  const double low = effect->prior_low, high = effect->prior_high;
+  return effect->logarithmic ? low * std::pow(high / low, u) : low + (high - low) * u;
+}
+
+double Cause::share(double strength) const {
+  const double low = effect->prior_low, high = effect->prior_high;
+  return effect->logarithmic ? std::log(std::max(strength, low / 10) / low) / std::log(high / low) : (strength - low) / (high - low);
+}
+
+double Cause::growth(double strength) const {
+  const double low = effect->prior_low, high = effect->prior_high;
+  if (!effect->logarithmic) return strength / std::max(std::abs(low), std::abs(high));
+  const double middle = std::sqrt(low * high);  // proportional below, by ratios above
+  return std::log1p(strength / middle) / std::log1p(high / middle);
+}
+
+int Emulator::feature(const std::string& id) const {
+  const auto found = std::ranges::find(features_, id, &FeatureInfo::id);
+  return found == features_.end() ? -1 : static_cast<int>(found - features_.begin());
+}
+
+Result<Emulator> Emulator::from(const Bank& bank, const std::vector<Kernel>& kernels) {
+  Emulator out;
+  out.space_ = space_of(bank);
+  for (const std::string& id : bank.features) {
+    if (const auto info = feature_info(id)) out.features_.push_back(*info);
+  }
+  for (const BankInput& input : bank.inputs) {
+    const EffectInfo* effect = find_effect(input.name);
+    if (effect && !effect->variant_of) out.causes_.push_back({effect});
+  }
+  const Repeats base = repeats_without_effects(bank, out.space_);
+  if (base.mean.rows() < static_cast<Index>(kFewestMaterials)) {
+    return Error{Code::kFailedPrecondition, "the bank has " + std::to_string(base.mean.rows()) + " materials without effects (emulators need " +
+                                                std::to_string(kFewestMaterials) + ") run more"};
+  }
+  out.noise_ = base.noise, out.correlation_ = base.correlation;
+  out.misfit_ = VectorXd::Zero(out.noise_.size());
+  std::size_t used = 0;
+  const auto process = [&](Sample sample, const Groups& groups) {
+    const Kernel kernel = used < kernels.size() ? kernels[used] : fit_kernel(sample, groups);
+    ++used;
+    return std::make_shared<const SharedGp>(std::move(sample), kernel);
+  };
+  const auto families = families_of(out.features_);
+  for (const auto& members : families) {
+    Family family{members, process(part_of(out.space_.scaled(base.values), base.mean, base.weight, members), out.space_.groups())};
+    for (std::size_t k = 0; k < members.size(); ++k) {
+      out.misfit_[members[k]] = std::max(0.0, family.gp->noise()[static_cast<Index>(k)] - out.noise_[members[k]]);
+    }
+    out.base_.push_back(std::move(family));
+  }
+  std::vector<EffectRuns> runs(out.causes_.size());
+  for (const BankRow& row : bank.rows) {
+    const int cause = cause_of(bank, row, out.causes_);
+    if (cause < 0) continue;
+    EffectRuns& of = runs[static_cast<std::size_t>(cause)];
+    of.values.push_back(values_of(bank, row, out.space_));
+    of.strength.push_back(row.inputs[*bank.input(std::string(out.causes_[static_cast<std::size_t>(cause)].effect->name))]);
+    of.features.push_back(Eigen::Map<const VectorXd>(row.features.data(), static_cast<Index>(row.features.size())));
+  }
+  std::vector<Cause> known;
+  for (std::size_t c = 0; c < out.causes_.size(); ++c) {
+    const auto n = static_cast<Index>(runs[c].values.size());
+    if (static_cast<std::size_t>(n) < kFewestOfEffect) continue;
+    MatrixXd values(static_cast<Index>(out.space_.size()), n), shift(n, out.noise_.size());
+    for (Index i = 0; i < n; ++i) values.col(i) = runs[c].values[static_cast<std::size_t>(i)], shift.row(i) = runs[c].features[static_cast<std::size_t>(i)].transpose();
+    shift -= out.predict(values).mean.transpose();
+    MatrixXd x = out.space_.scaled(values, 1);
+    VectorXd weight(n);
+    for (Index i = 0; i < n; ++i) {  // what a shift would be at full growth, known the worse the weaker the effect was
+      const double s = runs[c].strength[static_cast<std::size_t>(i)], g = out.causes_[c].growth(s);
+      x(i, x.cols() - 1) = out.causes_[c].share(s);
+      shift.row(i) /= g;
+      weight[i] = g * g;
+    }
+    Effect effect;
+    for (const auto& members : families) {
+      Sample sample = part_of(x, shift, weight, members);
+      if (static_cast<std::size_t>(sample.y.rows()) < kFewestOfEffect) continue;
+      effect.families.push_back({members, process(std::move(sample), out.space_.groups(1))});
+    }
+    known.push_back(out.causes_[c]);
+    out.effects_.push_back(std::move(effect));
+  }
+  out.causes_ = std::move(known);
+  return out;
+}
+
+Predicted Emulator::predict(const MatrixXd& values, std::span<const Use> uses) const {
+  const auto p = static_cast<Index>(features_.size());
+  Predicted out{MatrixXd::Zero(p, values.cols()), misfit_.replicate(1, values.cols())};
+  const MatrixXd x = space_.scaled(values);
+  for (const Family& family : base_) {
+    const Predicted part = family.gp->predict(x);
+    out.mean(family.members, Eigen::all) += part.mean;
+    out.variance(family.members, Eigen::all) += part.variance;
+  }
+  for (const Use& use : uses) {
+    const Cause& cause = causes_[use.cause];
+    MatrixXd with = space_.scaled(values, 1);
+    Eigen::RowVectorXd growth(values.cols());
+    for (Index i = 0; i < values.cols(); ++i) with(i, with.cols() - 1) = cause.share(use.strength[i]), growth[i] = cause.growth(use.strength[i]);
+    for (const Family& family : effects_[use.cause].families) {
+      const Predicted part = family.gp->predict(with);
+      out.mean(family.members, Eigen::all) += part.mean * growth.asDiagonal();
+      out.variance(family.members, Eigen::all) += part.variance * growth.array().square().matrix().asDiagonal();
+    }
+  }
+  return out;
+}
+
+std::vector<Kernel> Emulator::kernels() const {
+  std::vector<Kernel> out;
+  for (const Family& f : base_) out.push_back(f.gp->kernel());
+  for (const Effect& e : effects_) {
+    for (const Family& f : e.families) out.push_back(f.gp->kernel());
+  }
+  return out;
+}
+
+}  // namespace regolab::gap

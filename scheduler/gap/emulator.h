@@ -1,0 +1,64 @@
+/// What a DEM bundle would measure, from micro-parameters and strengths of effects, with its own error: m(theta, u) = m_0(theta) + sum of
+/// Delta_k(theta, u_k), and Delta_k(theta, 0) = 0 by construction.
+#pragma once
+#include <memory>
+#include <optional>
+#include <span>
+
+#include "scheduler/gap/space.h"
+#include "vocab/effects.h"
+#include "vocab/result.h"
+
+namespace regolab::gap {
+
+/// A hypothesis about one effect: where its strength may lie, and how it grows.
+struct Cause {
+  const EffectInfo* effect = nullptr;
+  double strength(double u) const;  ///< at share u of its prior, u in [0, 1]
+  double share(double strength) const;
+  /// What shifts are nearly proportional to: 0 without the effect, about 1 at the end of its prior; signed where strengths are.
+  double growth(double strength) const;
+};
+
+/// The strengths of one cause for a batch. strength: [n_points]
+struct Use {
+  std::size_t cause = 0;
+  Eigen::VectorXd strength;
+};
+
+class Emulator {
+ public:
+  /// Fits every process. `kernels`: as `kernels()` gave them, to spare the fit. kFailedPrecondition: too few runs without effects.
+  static Result<Emulator> from(const Bank& bank, const std::vector<Kernel>& kernels = {});
+
+  const Space& space() const { return space_; }
+  const std::vector<FeatureInfo>& features() const { return features_; }  // [p]
+  const std::vector<Cause>& causes() const { return causes_; }
+  int feature(const std::string& id) const;  ///< -1: none
+
+  /// values: [n_axes][n_points], SI. [p][n_points], variance of the mean.
+  Predicted predict(const Eigen::MatrixXd& values, std::span<const Use> uses = {}) const;
+  const Eigen::VectorXd& noise() const { return noise_; }                ///< [p] variance of one run, of repeats
+  const Eigen::MatrixXd& correlation() const { return correlation_; }   ///< [p][p] of what seeds do
+  std::vector<Kernel> kernels() const;  ///< in an order of their own, for `from`
+
+ private:
+  struct Family {
+    std::vector<Eigen::Index> members;  ///< features
+    std::shared_ptr<const SharedGp> gp;
+  };
+  struct Effect {
+    std::vector<Family> families;
+  };
+
+  Space space_;
+  std::vector<FeatureInfo> features_;
+  std::vector<Cause> causes_;
+  std::vector<Family> base_;
+  std::vector<Effect> effects_;  ///< of causes_
+  Eigen::VectorXd noise_;
+  Eigen::VectorXd misfit_;       ///< [p] variance that the base processes leave beyond the seeds' own
+  Eigen::MatrixXd correlation_;
+};
+
+}  // namespace regolab::gap

@@ -1,0 +1,121 @@
+#include "scheduler/gap/hypothesis.h"
+
+#include <Random123/philox.h>
+#include <Random123/uniform.hpp>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace regolab::gap {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+constexpr double kUnknownScale = 2;    // of the half-Cauchy prior: how much larger than the library's shifts
+constexpr double kMostUnknown = 50;
+constexpr int kLibraryDraws = 400;
+constexpr double kAnyDirection = 0.1;  // of the library's mean variance: directions that no effect makes
+
+/// Normal quantile by bisection: few digits are needed, and none of the parameters' cost is here.
+double normal_quantile(double u) {
+  double low = -6, high = 6;
+  for (int i = 0; i < 40; ++i) (0.5 * std::erfc(-0.5 * (low + high) / std::numbers::sqrt2) < u ? low : high) = 0.5 * (low + high);
+  return 0.5 * (low + high);
+}
+
+}  // namespace
+
+Likelihood::Likelihood(const Emulator& emulator, const Comparison& comparison, const Hypothesis& hypothesis, std::map<std::string, Stated> stated,
+                       const MatrixXd& library)
+    : emulator_(emulator), comparison_(comparison), hypothesis_(hypothesis), stated_(std::move(stated)), density_(comparison.correlation), library_(library) {
+  const auto& axes = emulator.space().axes;
+  for (std::size_t k = 0; k < axes.size(); ++k) {
+    const auto known = stated_.find(axes[k].name);
+    if (known == stated_.end() || known->second.standard_error > 0) free_.push_back(k);
+  }
+}
+
+int Likelihood::parameters() const { return static_cast<int>(free_.size() + hypothesis_.causes.size()) + (hypothesis_.unknown ? 1 : 0); }
+
+MatrixXd Likelihood::values(const MatrixXd& u) const {
+  const Space& space = emulator_.space();
+  MatrixXd out(static_cast<Index>(space.size()), u.cols());
+  for (std::size_t k = 0; k < space.size(); ++k) {
+    const Axis& axis = space.axes[k];
+    const auto known = stated_.find(axis.name);
+    const auto at = std::ranges::find(free_, k);
+    for (Index i = 0; i < u.cols(); ++i) {
+      double value = 0;
+      if (at == free_.end()) {
+        value = known->second.value;
+      } else {
+        const double share = u(at - free_.begin(), i);
+        value = known == stated_.end() ? space.value(k, share) : known->second.value + known->second.standard_error * normal_quantile(share);
+      }
+      out(static_cast<Index>(k), i) = axis.is_choice() ? value : std::clamp(value, axis.low, axis.high);
+    }
+  }
+  return out;
+}
+
+VectorXd Likelihood::strength(const MatrixXd& u, std::size_t k) const {
+  const Cause& cause = emulator_.causes()[hypothesis_.causes[k]];
+  return u.row(static_cast<Index>(free_.size() + k)).transpose().unaryExpr([&](double share) { return cause.strength(share); });
+}
+
+Predicted Likelihood::predict(const MatrixXd& u) const {
+  std::vector<Use> uses;
+  for (std::size_t k = 0; k < hypothesis_.causes.size(); ++k) uses.push_back({hypothesis_.causes[k], strength(u, k)});
+  const Predicted all = emulator_.predict(values(u), uses);
+  return {all.mean(comparison_.feature, Eigen::all), all.variance(comparison_.feature, Eigen::all)};
+}
+
+VectorXd Likelihood::operator()(const MatrixXd& u) const {
+  const Predicted p = predict(u);
+  VectorXd out(u.cols());
+  for (Index i = 0; i < u.cols(); ++i) {
+    const VectorXd off = comparison_.y - p.mean.col(i), sd = (comparison_.variance + p.variance.col(i)).cwiseSqrt();
+    if (!hypothesis_.unknown) {
+      out[i] = density_.log_density(off, sd);
+      continue;
+    }
+    const double share = std::min(u(u.rows() - 1, i), 0.999), size = std::min(kMostUnknown, kUnknownScale * std::tan(0.5 * std::numbers::pi * share));
+    const MatrixXd own = sd.asDiagonal() * comparison_.correlation * sd.asDiagonal();
+    out[i] = student_t_log_density(off, own + size * size * library_);
+  }
+  return out;
+}
+
+MatrixXd library_covariance(const Emulator& emulator, const Comparison& comparison, const std::map<std::string, Stated>& stated, std::uint64_t seed) {
+  const auto q = comparison.size();
+  MatrixXd sum = MatrixXd::Zero(q, q);
+  const Likelihood base(emulator, comparison, {"none", {}, false}, stated);
+  for (std::size_t c = 0; c < emulator.causes().size(); ++c) {
+    const Likelihood with(emulator, comparison, {"", {c}, false}, stated);
+    MatrixXd u(with.parameters(), kLibraryDraws);
+    for (Index i = 0; i < u.cols(); ++i) {
+      for (Index d = 0; d < u.rows(); ++d) {
+        u(d, i) = r123::u01fixedpt<double>(r123::Philox4x64{}({{static_cast<std::uint64_t>(i), static_cast<std::uint64_t>(d), c, 0}}, {{seed, 99}})[0]);
+      }
+    }
+    const MatrixXd shift = with.predict(u).mean - base.predict(u.topRows(base.parameters())).mean;
+    sum += shift * shift.transpose() / static_cast<double>(u.cols());
+  }
+  sum /= static_cast<double>(std::max<std::size_t>(1, emulator.causes().size()));
+  sum.diagonal() *= 1 + kAnyDirection;
+  sum.diagonal() += 0.01 * comparison.variance;
+  return sum;
+}
+
+std::map<std::string, Stated> stated_in(const ObservationSet& set, const Space& space) {
+  std::map<std::string, Stated> out;
+  if (set.material.nominal_max_size) out["L_S"] = {*set.material.nominal_max_size, 0};
+  if (set.protocol.gravity) out["gravity"] = {*set.protocol.gravity, 0};
+  for (const auto& [name, known] : set.material.micro) out[name] = {known.value, known.standard_error.value_or(0)};
+  std::erase_if(out, [&](const auto& item) { return space.find(item.first) < 0; });
+  return out;
+}
+
+}  // namespace regolab::gap

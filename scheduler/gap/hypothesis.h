@@ -1,0 +1,55 @@
+/// What may be the case: the base model, one effect or a pair of them, or something that no effect of the library makes.
+#pragma once
+#include <optional>
+#include <string>
+
+#include "scheduler/gap/comparison.h"
+#include "scheduler/gap/smc.h"
+
+namespace regolab::gap {
+
+struct Hypothesis {
+  std::string name;                   ///< "none", an effect's, "a+b", "unknown"
+  std::vector<std::size_t> causes;    ///< of the emulator
+  bool unknown = false;
+};
+
+/// A micro-parameter that the experimenter states.
+struct Stated {
+  double value = 0;           ///< [SI]
+  double standard_error = 0;  ///< 0: exact
+};
+
+/// A hypothesis against a comparison: parameters in the unit cube, micro-parameters first, then strengths, then the size of the unknown.
+class Likelihood {
+ public:
+  /// Emulator and comparison must outlive it. library: covariance of what known effects shift, [q][q], of the unknown hypothesis alone.
+  Likelihood(const Emulator& emulator, const Comparison& comparison, const Hypothesis& hypothesis, std::map<std::string, Stated> stated,
+             const Eigen::MatrixXd& library = {});
+
+  int parameters() const;
+  Eigen::VectorXd operator()(const Eigen::MatrixXd& u) const;
+
+  /// [n_axes][n_points] SI; strength of cause k at each point.
+  Eigen::MatrixXd values(const Eigen::MatrixXd& u) const;
+  Eigen::VectorXd strength(const Eigen::MatrixXd& u, std::size_t k) const;
+  /// The emulator's answer for the features compared. [q][n_points]
+  Predicted predict(const Eigen::MatrixXd& u) const;
+
+ private:
+  const Emulator& emulator_;
+  const Comparison& comparison_;
+  Hypothesis hypothesis_;
+  std::map<std::string, Stated> stated_;
+  std::vector<std::size_t> free_;  ///< axes that u holds
+  StudentT density_;
+  Eigen::MatrixXd library_;
+};
+
+/// Covariance of the shifts that the library's effects make over their priors, in the features compared. [q][q]
+Eigen::MatrixXd library_covariance(const Emulator& emulator, const Comparison& comparison, const std::map<std::string, Stated>& stated, std::uint64_t seed);
+
+/// What the experimenter stated of the emulator's axes: sizes, gravity, measured micro-parameters.
+std::map<std::string, Stated> stated_in(const ObservationSet& set, const Space& space);
+
+}  // namespace regolab::gap
