@@ -1,10 +1,10 @@
 #include "scheduler/gap/hypothesis.h"
 
-#include <Random123/philox.h>
-#include <Random123/uniform.hpp>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+
+#include "scheduler/gap/draws.h"
 
 namespace regolab::gap {
 namespace {
@@ -16,6 +16,7 @@ using Eigen::VectorXd;
 constexpr double kUnknownScale = 2;    // of the half-Cauchy prior: how much larger than the library's shifts
 constexpr double kMostUnknown = 50;
 constexpr int kLibraryDraws = 400;
+constexpr std::uint64_t kStream = 1000;
 constexpr double kAnyDirection = 0.1;  // of the library's mean variance: directions that no effect makes
 
 /// Normal quantile by bisection: few digits are needed, and none of the parameters' cost is here.
@@ -97,7 +98,7 @@ MatrixXd library_covariance(const Emulator& emulator, const Comparison& comparis
     MatrixXd u(with.parameters(), kLibraryDraws);
     for (Index i = 0; i < u.cols(); ++i) {
       for (Index d = 0; d < u.rows(); ++d) {
-        u(d, i) = r123::u01fixedpt<double>(r123::Philox4x64{}({{static_cast<std::uint64_t>(i), static_cast<std::uint64_t>(d), c, 0}}, {{seed, 99}})[0]);
+        u(d, i) = uniform(seed, kStream + c, static_cast<std::uint64_t>(i), static_cast<std::uint64_t>(d));
       }
     }
     const MatrixXd shift = with.predict(u).mean - base.predict(u.topRows(base.parameters())).mean;

@@ -4,6 +4,7 @@
 
 #include "scheduler/gap/bank.h"
 #include "vocab/measurement.h"
+#include "vocab/result.h"
 #include "vocab/stage.h"
 
 namespace regolab {

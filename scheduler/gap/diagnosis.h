@@ -1,0 +1,78 @@
+/// Where a simulation is wrong, which effect explains it, how strongly and how surely; or none of these; or that nobody can tell.
+#pragma once
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "scheduler/gap/hypothesis.h"
+
+namespace regolab::gap {
+
+enum class Verdict { kNoGap, kEffect, kOneOf, kPair, kNoneOfThese, kCannotTell };
+std::string_view name_of(Verdict verdict);  ///< "NO GAP", "EFFECT", ...
+
+/// What people call a cause: preparation_friction and preparation_gravity are `preparation`, the frame, the seating and the load cell
+/// `apparatus`; "none" and "unknown" are themselves.
+std::string cause_class(const std::string& effect);
+
+struct Strength {
+  std::string effect;
+  std::string unit;  ///< SI
+  double median = 0, low = 0, high = 0;  ///< 5 and 95 %
+};
+
+struct Weighed {
+  std::string model;  ///< "none", an effect's name, "unknown"
+  std::string cause;  ///< its class
+  double log_z = 0, log_z_error = 0, probability = 0;
+  std::vector<Strength> strength;
+};
+
+/// A group of features predicted from all the others under the base model.
+struct GroupGap {
+  Group group;
+  std::string feature, text;  ///< the feature that is off most, and by how much: "sigma1 at 1.25 kPa is 38 % low"
+  double shift_pct = 0;       ///< of that feature, in its own terms
+  double z = 0;               ///< of the group: sqrt of its distance against what chance gives
+  double p = 1, p_adjusted = 1;  ///< Benjamini and Hochberg
+};
+
+/// What a shift of one effect is worth after the base model has been refitted, before any data are seen.
+struct Isolability {
+  std::string effect;
+  double sigma = 0;                  ///< standard deviations that no calibration absorbs, median over the prior
+  std::string twin;                  ///< the effect whose pattern is most alike
+  double cosine = 0;
+};
+
+struct Diagnosis {
+  Verdict verdict = Verdict::kCannotTell;
+  std::vector<std::string> classes;        ///< that the verdict names, most probable first
+  std::vector<Weighed> models;             ///< most probable first
+  std::vector<GroupGap> where;             ///< most surely off first
+  std::vector<Isolability> isolability;
+  double adequacy = 1;                     ///< p of the best model's misfit
+  double adequacy_threshold = 0;
+  std::vector<std::string> warnings;
+  int features = 0;
+};
+
+struct DiagnosisOptions {
+  SmcOptions smc{.particles = 400, .kept = 0.6, .moves = 3, .repeats = 2, .seed = 1};
+  double temperature = 1;        ///< of the evidence: fitted on development cases
+  double adequacy_threshold = 0.01;
+};
+
+/// "evidence: cohesion", 7 of 30; false ends the work.
+using OnStep = std::function<bool(const std::string& what, int done, int of)>;
+
+/// Errors: kFailedPrecondition (nothing to compare), kCancelled.
+Result<Diagnosis> diagnose(const Emulator& emulator, const ObservationSet& set, const DiagnosisOptions& options, const OnStep& on_step = {});
+
+/// The groups whose features the others do not foretell.
+std::vector<GroupGap> locate(const Emulator& emulator, const Comparison& comparison, const std::map<std::string, Stated>& stated, const SmcOptions& smc);
+
+std::vector<Isolability> isolability(const Emulator& emulator, const Comparison& comparison, const std::map<std::string, Stated>& stated, std::uint64_t seed);
+
+}  // namespace regolab::gap
