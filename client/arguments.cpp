@@ -155,18 +155,30 @@ struct Tree {
     model_of(invert);
   }
 
+  void measurements_of(CLI::App* sub) {
+    sub->add_option("OBSERVATIONS", arguments.observations, "observations.yaml, or a CSV with --map; at most 16 MiB")->required();
+    sub->add_option("--map", arguments.map, "what the columns of a CSV are")->type_name("MAP");
+    sub->add_flag("--assume-errors", arguments.assume_errors, "where no standard error is given, a stated default, marked in every report");
+  }
+
   void add_gap_verbs() {
     auto* gap = app.add_subcommand("gap", "measurements of a real material beside our own runs");
     gap->require_subcommand(1);
     gap->fallthrough();
     auto* import = verb(*gap, "import", "read and check what was measured: features, errors, what takes no part and why");
-    import->add_option("OBSERVATIONS", arguments.observations, "observations.yaml, or a CSV with --map; at most 16 MiB")->required();
-    import->add_option("--map", arguments.map, "what the columns of a CSV are")->type_name("MAP");
-    import->add_flag("--assume-errors", arguments.assume_errors, "where no standard error is given, a stated default, marked in every report");
+    measurements_of(import);
     import->add_option("-o,--output", arguments.output, "the observations in normal form, as YAML")->type_name("FILE");
     auto* bank = verb(*gap, "bank", "what our own runs gave, as the same features: a row for each point and seed");
     bank->add_option("ID", arguments.experiments, "experiments whose points stand in one table")->required();
     output_of(bank);
+    auto* emulate = verb(*gap, "emulate", "fit a bank's emulators, so that a diagnosis need not; minutes");
+    emulate->add_option("BANK", arguments.bank, "bank.csv")->required();
+    output_of(emulate);
+    auto* diagnose = verb(*gap, "diagnose", "where the simulation is wrong, which effect explains it, or none of these");
+    measurements_of(diagnose);
+    diagnose->add_option("--bank", arguments.bank, "another bank than the program's own")->type_name("FILE");
+    diagnose->add_option("--kernels", arguments.kernels, "of that bank, as `gap emulate` wrote them")->type_name("FILE");
+    diagnose->add_option("--seed", arguments.random_seed, "of the sampler [1]")->type_name("N");
   }
 
   void add_article_verbs() {

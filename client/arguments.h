@@ -51,6 +51,7 @@ struct Arguments {
   unsigned budget = 40;                  ///< DEM runs
   unsigned candidates = 6;
 
+  std::string bank, kernels;         ///< of `gap`: files
   std::string observations;              ///< OBSERVATIONS.yaml, or a CSV with its map
   std::string map;                       ///< MAP.yaml of a CSV
   bool assume_errors = false;

@@ -223,6 +223,21 @@ Outcome Lab::train(const pb::TrainRequest& request, const std::function<void(con
   return outcome_of(stream->Finish(), options_.address);
 }
 
+Outcome Lab::emulate(const pb::EmulateRequest& request, pb::EmulateReply& reply) {
+  grpc::ClientContext context;  // minutes: no deadline
+  return outcome_of(stubs_->gaps->Emulate(&context, request, &reply), options_.address);
+}
+
+Outcome Lab::diagnose(const pb::DiagnoseRequest& request, const std::function<void(const pb::DiagnoseEvent&)>& on_step, pb::DiagnoseEvent& last) {
+  grpc::ClientContext context;
+  const auto stream = stubs_->gaps->Diagnose(&context, request);
+  for (pb::DiagnoseEvent event; stream->Read(&event);) {
+    if (event.has_diagnosis() || !event.diagnostics().empty()) last = event;
+    else on_step(event);
+  }
+  return outcome_of(stream->Finish(), options_.address);
+}
+
 Outcome Lab::train_functions(const std::string& experiment, std::uint64_t seed, pb::TrainFunctionsReply& reply) {
   pb::TrainFunctionsRequest request;
   request.set_experiment(experiment);

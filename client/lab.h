@@ -42,6 +42,9 @@ class Lab {
   Outcome invert(const pb::InvertRequest& request, pb::InvertReply& reply);
   Outcome import_observations(const pb::ImportRequest& request, pb::ImportReply& reply);
   Outcome bank(const pb::BankRequest& request, pb::BankReply& reply);
+  Outcome emulate(const pb::EmulateRequest& request, pb::EmulateReply& reply);
+  /// The last event holds the diagnosis, or why the files were refused.
+  Outcome diagnose(const pb::DiagnoseRequest& request, const std::function<void(const pb::DiagnoseEvent&)>& on_step, pb::DiagnoseEvent& last);
   /// Until the model is stored; `last` is the event that carries it.
   Outcome train(const pb::TrainRequest& request, const std::function<void(const pb::TrainEvent&)>& on_event, pb::TrainEvent& last);
 

@@ -38,6 +38,8 @@ const std::map<std::string, Verb>& verbs() {
       {"invert", invert},
       {"gap import", gap_import},
       {"gap bank", gap_bank},
+      {"gap emulate", gap_emulate},
+      {"gap diagnose", gap_diagnose},
       {"article check", check_article},
       {"article compare", compare_article},
       {"article functions", article_functions},

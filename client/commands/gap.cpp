@@ -7,6 +7,7 @@
 #include "client/file_read.h"
 #include "client/file_write.h"
 #include "client/json_view.h"
+#include "client/commands/gap.h"
 #include "client/session.h"
 #include "client/views/gap_text.h"
 
@@ -16,7 +17,9 @@ namespace {
 constexpr std::size_t kLargestObservations = 16 << 20;  // [bytes]; the scheduler's limit as well
 constexpr std::size_t kLargestMap = 1 << 20;            // [bytes]
 
-Outcome read_files(const Arguments& arguments, pb::ImportRequest& request) {
+}  // namespace
+
+Outcome read_measurements(const Arguments& arguments, pb::ImportRequest& request) {
   std::string text;
   if (auto read = read_whole_file(arguments.observations, kLargestObservations, "an observation file", text); !read.ok()) return read;
   request.set_file_name(arguments.observations);
@@ -34,6 +37,8 @@ Outcome read_files(const Arguments& arguments, pb::ImportRequest& request) {
   request.set_map(text);
   return done();
 }
+
+namespace {
 
 Json feature_json(const pb::FeatureValue& f) {
   return {{"id", f.id()}, {"label", f.label()}, {"group", f.group()}, {"value", f.value()}, {"standard_error", f.standard_error()}, {"logarithm", f.logarithm()},
@@ -57,7 +62,7 @@ void add_import(const pb::ImportReply& reply, Json& out) {
 
 Outcome gap_import(const Arguments& arguments, Console& console) {
   pb::ImportRequest request;
-  if (auto read = read_files(arguments, request); !read.ok()) return read;
+  if (auto read = read_measurements(arguments, request); !read.ok()) return read;
   Session session;
   if (auto opened = open_session(arguments, Need::kScratch, session); !opened.ok()) return opened;
   pb::ImportReply reply;

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "client/table_print.h"
+#include "vocab/units.h"
 
 namespace regolab::client {
 
@@ -18,6 +19,50 @@ std::string import_text(const pb::ImportReply& reply) {
   if (!reply.unused().empty()) text += "\nnot used\n";
   for (const auto& entry : reply.unused()) text += fmt::format("  {}: {}\n", entry.id(), entry.why());
   return text;
+}
+
+namespace {
+
+std::string strength_text(const pb::EffectStrength& s) {
+  const DoorUnit door = door_unit(s.unit_si());
+  const std::string unit = s.unit_si() == "1" ? "" : " " + std::string(door.name);
+  return fmt::format("{} {:.3g}{} ({:.3g} to {:.3g})", s.effect(), s.median() * door.factor, unit, s.low_05() * door.factor, s.high_95() * door.factor);
+}
+
+std::string where_line(const pb::Diagnosis& d) {
+  std::string text;
+  for (const auto& g : d.where()) {
+    if (g.p_adjusted() < 0.1) text += (text.empty() ? "" : "; ") + g.text();
+  }
+  return text.empty() ? "nowhere surely: what each group measures is what the others foretell" : text;
+}
+
+std::string which_line(const pb::Diagnosis& d) {
+  std::string text = d.verdict();
+  for (int k = 0; k < d.classes_size(); ++k) {
+    double p = 0;
+    for (const auto& m : d.models()) p += m.cause() == d.classes(k) ? m.probability() : 0;
+    text += fmt::format("{}{} (P = {:.2f})", k == 0 ? ": " : ", ", d.classes(k), p);
+  }
+  if (d.classes_size() == 1 && !d.models().empty() && d.models(0).strength_size() > 0 && d.models(0).cause() == d.classes(0)) text += "; " + strength_text(d.models(0).strength(0));
+  return text;
+}
+
+}  // namespace
+
+std::string diagnosis_text(const pb::Diagnosis& d) {
+  std::string text = fmt::format("where   {}\nwhich   {}\nsure    {} features, misfit of the best model p = {:.2g}{}\n\n", where_line(d), which_line(d), d.features(), d.adequacy_p(),
+                                 d.adequacy_p() < d.adequacy_threshold() ? ": it does not explain them" : "");
+  Table ladder({{"cause", "", Align::kLeft}, {"probability"}, {"log Z", "±"}, {"isolable", "sigma"}, {"strength, 90 %", "", Align::kLeft}});
+  for (const auto& m : d.models()) {
+    std::string isolable, twin;
+    for (const auto& i : d.isolability()) {
+      if (i.effect() == m.model()) isolable = fmt::format("{:.1f}", i.sigma());
+    }
+    ladder.add({m.model(), fmt::format("{:.3f}", m.probability()), fmt::format("{:.1f} ±{:.1f}", m.log_z(), m.log_z_error()), isolable,
+                m.strength_size() > 0 ? strength_text(m.strength(0)) : ""});
+  }
+  return text + ladder.text();
 }
 
 }  // namespace regolab::client

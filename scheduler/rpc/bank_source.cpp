@@ -112,9 +112,7 @@ Result<std::vector<gap::BankSource>> bank_sources(Reader& reader, const std::str
     const bool first = cell.first != point;  // variants of a point's first seed
     point = cell.first;
     if (first) {
-      auto variants = bank_variants(source, stress[cell]);
-      if (!variants.ok()) return variants.error();
-      std::ranges::move(*variants, std::back_inserter(out));
+      std::ranges::move(bank_variants(source, stress[cell]), std::back_inserter(out));
     }
     out.push_back(std::move(source));
   }

@@ -30,7 +30,7 @@ void weigh(double x, gap::Readings& readings) {
 
 }  // namespace
 
-Result<std::vector<gap::BankSource>> bank_variants(const gap::BankSource& base, const std::vector<FinishedStress>& stress) {
+std::vector<gap::BankSource> bank_variants(const gap::BankSource& base, const std::vector<FinishedStress>& stress) {
   std::vector<gap::BankSource> out;
   for (const auto& [input, value] : base.inputs) {
     if (value != 0 && find_effect(input.name)) return out;
@@ -44,14 +44,15 @@ Result<std::vector<gap::BankSource>> bank_variants(const gap::BankSource& base, 
     source.inputs.emplace_back(gap::BankInput{std::string(effect.name), std::string(effect.si)}, strength);
     EffectSet effects;
     effects[effect.id] = strength;
+    bool whole = true;
     for (const FinishedStress& one : stress) {
       if (effect.id == EffectId::kGrainDensity) break;
       const auto seen = as_measured(one.result, one.spec.confining_stress, one.spec.numerics.axial_strain, apparatus_of(effects));
-      if (!seen.ok()) return seen.error();
-      gap::add_readings(*seen, source.readings);
+      whole = whole && seen.ok();  // a stage without curves cannot be seen through another apparatus
+      if (whole) gap::add_readings(*seen, source.readings);
     }
     if (effect.id == EffectId::kGrainDensity) weigh(strength, source.readings);
-    out.push_back(std::move(source));
+    if (whole) out.push_back(std::move(source));
   }
   return out;
 }

@@ -4,7 +4,6 @@
 
 #include "scheduler/gap/bank.h"
 #include "vocab/measurement.h"
-#include "vocab/result.h"
 #include "vocab/stage.h"
 
 namespace regolab {
@@ -15,7 +14,7 @@ struct FinishedStress {
 };
 
 /// One of the effects without DEM, which it is and how strong by the point's number: the golden ratio over its prior. Empty when the
-/// run has effects already, or no stress test.
-Result<std::vector<gap::BankSource>> bank_variants(const gap::BankSource& base, const std::vector<FinishedStress>& stress);
+/// run has effects already, or no stress test with its curves.
+std::vector<gap::BankSource> bank_variants(const gap::BankSource& base, const std::vector<FinishedStress>& stress);
 
 }  // namespace regolab

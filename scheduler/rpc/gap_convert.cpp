@@ -40,4 +40,31 @@ v1::ImportReply to_proto(const gap::ObservationSet& set) {
   return out;
 }
 
+v1::Diagnosis to_proto(const gap::Diagnosis& d) {
+  v1::Diagnosis out;
+  out.set_verdict(std::string(gap::name_of(d.verdict)));
+  for (const std::string& name : d.classes) out.add_classes(name);
+  for (const gap::Weighed& m : d.models) {
+    auto& model = *out.add_models();
+    model.set_model(m.model), model.set_cause(m.cause), model.set_probability(m.probability), model.set_log_z(m.log_z), model.set_log_z_error(m.log_z_error);
+    for (const gap::Strength& s : m.strength) {
+      auto& strength = *model.add_strength();
+      strength.set_effect(s.effect), strength.set_unit_si(s.unit), strength.set_median(s.median), strength.set_low_05(s.low), strength.set_high_95(s.high);
+    }
+  }
+  for (const gap::GroupGap& g : d.where) {
+    auto& group = *out.add_where();
+    group.set_group(g.group.text()), group.set_feature(g.feature), group.set_text(g.text), group.set_shift_pct(g.shift_pct);
+    group.set_z(g.z), group.set_p(g.p), group.set_p_adjusted(g.p_adjusted);
+  }
+  for (const gap::Isolability& i : d.isolability) {
+    auto& one = *out.add_isolability();
+    one.set_effect(i.effect), one.set_sigma(i.sigma), one.set_twin(i.twin), one.set_cosine(i.cosine);
+  }
+  out.set_adequacy_p(d.adequacy), out.set_adequacy_threshold(d.adequacy_threshold);
+  out.set_features(static_cast<std::uint32_t>(d.features));
+  for (const std::string& warning : d.warnings) out.add_warnings(warning);
+  return out;
+}
+
 }  // namespace regolab

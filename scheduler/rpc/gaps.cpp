@@ -7,18 +7,15 @@
 #include "scheduler/rpc/grpc_status.h"
 
 namespace regolab {
-namespace {
 
-Read<gap::ObservationSet> read(const v1::ImportRequest& request) {
+Read<gap::ObservationSet> read_measurements_of(const v1::ImportRequest& request) {
   const auto missing = request.assume_errors() ? gap::MissingErrors::kAssume : gap::MissingErrors::kRefuse;
   if (request.map_name().empty()) return gap::read_observations(request.file_name(), request.content(), missing);
   return gap::read_measurements({.map_name = request.map_name(), .map_text = request.map(), .csv_name = request.file_name(), .csv_text = request.content()}, missing);
 }
 
-}  // namespace
-
 grpc::Status GapsService::Import(grpc::ServerContext*, const v1::ImportRequest* request, v1::ImportReply* reply) {
-  const auto set = read(*request);
+  const auto set = read_measurements_of(*request);
   for (const Diagnostic& diagnostic : set.diagnostics) *reply->add_diagnostics() = to_proto(diagnostic);
   if (!set.ok()) return grpc::Status::OK;
   *reply = to_proto(*set.value);

@@ -12,6 +12,8 @@ class GapsService final : public v1::Gaps::Service {
 
   grpc::Status Import(grpc::ServerContext*, const v1::ImportRequest*, v1::ImportReply*) override;
   grpc::Status Bank(grpc::ServerContext*, const v1::BankRequest*, v1::BankReply*) override;
+  grpc::Status Emulate(grpc::ServerContext*, const v1::EmulateRequest*, v1::EmulateReply*) override;
+  grpc::Status Diagnose(grpc::ServerContext*, const v1::DiagnoseRequest*, grpc::ServerWriter<v1::DiagnoseEvent>*) override;
 
  private:
   const std::string database_;

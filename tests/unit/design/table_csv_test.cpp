@@ -52,9 +52,14 @@ TEST(TableCsv, TellsEveryProblemAtItsCell) {
   EXPECT_THAT(read("point,N_E\n1,2\n3,4\n").diagnostics,
               ElementsAre(at(3, 1, "point '3' (points count 1, 2, 3, ...) write 2")));
   EXPECT_THAT(read("N_E,rotation\n2,x\n2,z\n").diagnostics, ElementsAre(at(1, 1, "column 'N_E' has the same value in every row")));
-  EXPECT_THAT(read("N_E\n2\n").diagnostics, ElementsAre(at(0, 0, "table has 1 rows below its header")));
+  EXPECT_THAT(read("N_E\n").diagnostics, ElementsAre(at(0, 0, "table has 0 rows below its header")));
   EXPECT_THAT(read("").diagnostics, ElementsAre(at(0, 0, "table has 0 rows")));
   EXPECT_THAT(read("N_E\n2\n\xFF\n").diagnostics, ElementsAre(at(0, 0, "not a text file")));
+}
+
+TEST(TableCsv, OneRowIsOneMaterial) {
+  const auto found = read("N_E,theta_F_deg\n4,30\n");
+  EXPECT_TRUE(found.diagnostics.empty());
 }
 
 }  // namespace

@@ -1,4 +1,5 @@
 /// The service of gap diagnosis over a real socket.
+#include <algorithm>
 #include <cmath>
 
 #include "scheduler/gap/bank.h"
@@ -22,10 +23,13 @@ TEST_F(ServiceTest, ABankHasARowForEachPointAndSeed) {
   v1::BankReply reply;
   const auto status = client->call(*client->gaps, &v1::Gaps::Stub::Bank, request, &reply);
   ASSERT_TRUE(status.ok()) << status.error_message();
-  EXPECT_EQ(reply.rows(), 8U);
+  EXPECT_EQ(reply.rows(), 10U) << "8 runs, and two of them again under a wrong grain density";
   const auto bank = gap::read_bank("bank.csv", reply.csv());
   ASSERT_TRUE(bank.ok()) << to_text(bank.diagnostics.front());
-  ASSERT_EQ(bank.value->rows.size(), 8U);
+  ASSERT_EQ(bank.value->rows.size(), 10U);
+  const auto density = bank.value->input("grain_density");
+  ASSERT_TRUE(density);
+  EXPECT_EQ(std::ranges::count_if(bank.value->rows, [&](const auto& row) { return row.inputs[*density] != 0; }), 2);
   ASSERT_TRUE(bank.value->input("theta_F") && bank.value->input("N_E") && bank.value->feature("sigma1_ratio_2.5"));
   for (const auto& row : bank.value->rows) {
     const double friction = row.inputs[*bank.value->input("theta_F")];

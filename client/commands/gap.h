@@ -1,0 +1,12 @@
+/// What the verbs of `gap` share.
+#pragma once
+#include "client/arguments.h"
+#include "client/outcome.h"
+#include "client/wire.h"
+
+namespace regolab::client {
+
+/// The measurements that the arguments name, as the scheduler takes them. Errors: a file that cannot be read or is too large.
+Outcome read_measurements(const Arguments& arguments, pb::ImportRequest& request);
+
+}  // namespace regolab::client
