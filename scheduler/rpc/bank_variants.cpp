@@ -11,7 +11,7 @@ constexpr EffectId kWithoutDem[] = {EffectId::kFrameCompliance, EffectId::kSeati
 constexpr int kEvery = 3;  // of the points, for each effect
 
 double golden(int k) {
-  const double share = 0.5 + 0.6180339887498949 * k;
+  const double share = 0.3 + 0.6180339887498949 * k;  // the middle of a symmetric prior is no effect
   return share - std::floor(share);
 }
 
