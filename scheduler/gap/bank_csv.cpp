@@ -17,7 +17,7 @@ namespace {
 constexpr int kDigits = 7;
 constexpr std::string_view kFixed[] = {"experiment", "point", "seed", "profile"};
 /// Units that inputs may have; the longest ending that fits names the unit of a column.
-constexpr std::string_view kUnits[] = {"N s/m", "kg/m3", "m/s2", "J/m2", "N/m3", "N/m", "m/s", "1/s", "rad", "Pa", "kg", "N", "J", "m", "s"};
+constexpr std::string_view kUnits[] = {"1/Pa", "N s/m", "kg/m3", "m/s2", "J/m2", "N/m3", "N/m", "m/s", "1/s", "rad", "Pa", "kg", "N", "J", "m", "s"};
 
 std::string seven_digits(double value) {
   if (std::isnan(value)) return "";
