@@ -179,6 +179,7 @@ struct Tree {
     diagnose->add_option("--bank", arguments.bank, "another bank than the program's own")->type_name("FILE");
     diagnose->add_option("--kernels", arguments.kernels, "of that bank, as `gap emulate` wrote them")->type_name("FILE");
     diagnose->add_option("--seed", arguments.random_seed, "of the sampler [1]")->type_name("N");
+    diagnose->add_option("--report", arguments.output, "also as one HTML file")->type_name("FILE");
   }
 
   void add_article_verbs() {

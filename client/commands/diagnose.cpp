@@ -10,6 +10,7 @@
 #include "client/file_write.h"
 #include "client/json_view.h"
 #include "client/session.h"
+#include "client/views/gap_html.h"
 #include "client/views/gap_text.h"
 
 namespace regolab::client {
@@ -78,6 +79,7 @@ Outcome gap_diagnose(const Arguments& arguments, Console& console) {
   pb::DiagnoseRequest request;
   if (auto read = read_measurements(arguments, *request.mutable_measurements()); !read.ok()) return read;
   if (auto read = read_bank_files(arguments, request); !read.ok()) return read;
+  request.mutable_measurements()->set_want_file(false);  // --report is another file
   request.set_seed(arguments.random_seed);
   Session session;
   if (auto opened = open_session(arguments, Need::kScratch, session); !opened.ok()) return opened;
@@ -90,6 +92,11 @@ Outcome gap_diagnose(const Arguments& arguments, Console& console) {
   pb::DiagnoseEvent last;
   if (auto got = session.lab->diagnose(request, show, last); !got.ok()) return session.explain(got);
   if (!last.diagnostics().empty()) return rejected(from_proto(last.diagnostics()), arguments, console);
+  if (!arguments.output.empty()) {
+    pb::ImportReply measured;
+    if (auto got = session.lab->import_observations(request.measurements(), measured); !got.ok()) return session.explain(got);
+    if (auto written = write_file(arguments.output, diagnosis_html(last.diagnosis(), measured)); !written.ok()) return written;
+  }
   if (arguments.json) {
     Json out = document("gap-diagnose");
     add_diagnosis(last.diagnosis(), out);

@@ -50,9 +50,16 @@ std::string which_line(const pb::Diagnosis& d) {
 
 }  // namespace
 
+std::vector<std::string> diagnosis_lines(const pb::Diagnosis& d) {
+  return {"where   " + where_line(d), "which   " + which_line(d),
+          fmt::format("sure    {} features, misfit of the best model p = {:.2g}{}", d.features(), d.adequacy_p(),
+                      d.adequacy_p() < d.adequacy_threshold() ? ": it does not explain them" : "")};
+}
+
 std::string diagnosis_text(const pb::Diagnosis& d) {
-  std::string text = fmt::format("where   {}\nwhich   {}\nsure    {} features, misfit of the best model p = {:.2g}{}\n\n", where_line(d), which_line(d), d.features(), d.adequacy_p(),
-                                 d.adequacy_p() < d.adequacy_threshold() ? ": it does not explain them" : "");
+  std::string text;
+  for (const std::string& line : diagnosis_lines(d)) text += line + "\n";
+  text += "\n";
   Table ladder({{"cause", "", Align::kLeft}, {"probability"}, {"log Z", "±"}, {"isolable", "sigma"}, {"strength, 90 %", "", Align::kLeft}});
   for (const auto& m : d.models()) {
     std::string isolable, twin;
