@@ -30,14 +30,19 @@ std::string strength_text(const pb::EffectStrength& s) {
 }
 
 std::string where_line(const pb::Diagnosis& d) {
+  constexpr int kShown = 4;
   std::string text;
+  int found = 0;
   for (const auto& g : d.where()) {
-    if (g.p_adjusted() < 0.1) text += (text.empty() ? "" : "; ") + g.text();
+    if (g.p_adjusted() >= 0.1) continue;
+    if (found++ < kShown) text += (text.empty() ? "" : "; ") + g.text();
   }
+  if (found > kShown) text += fmt::format("; and {} more groups", found - kShown);
   return text.empty() ? "nowhere surely: what each group measures is what the others foretell" : text;
 }
 
 std::string which_line(const pb::Diagnosis& d) {
+  if (d.verdict() == "NONE OF THESE" && d.adequacy_p() < d.adequacy_threshold()) return d.verdict() + ": the best of them, " + d.models(0).model() + ", leaves a misfit that chance does not";
   std::string text = d.verdict();
   for (int k = 0; k < d.classes_size(); ++k) {
     double p = 0;
