@@ -11,9 +11,10 @@ namespace regolab {
   "j.rotation, j.damping_is_ratio, j.grain_density_kg_per_m3, j.gravity_m_per_s2, j.clusters, j.box_length_m, "             \
   "j.box_width_m, j.settle_stiffness_number, j.stress_stiffness_number, j.mass_floor, j.step_fraction, j.inertial_number, " \
   "j.axial_strain, j.state, j.lease_token, j.worker, j.attempts, j.deaths, j.deaths_anywhere, j.death_steps, j.detail, "    \
-  "j.bed, j.checkpoint, r.stage_end, r.wall_s, r.steps, j.most_damping_ratio, j.plate_width_m, j.plate_thickness_m, j.effects"
+  "j.bed, j.checkpoint, r.stage_end, r.wall_s, r.steps, j.most_damping_ratio, j.plate_width_m, j.plate_thickness_m, j.effects, " \
+  "j.isotropic_servo_steps"
 
-inline constexpr int kJobColumns = 43;
+inline constexpr int kJobColumns = 44;
 
 /// `first` = index of the first of REGOLAB_JOB_COLUMNS; `r` is a LEFT JOIN of result.
 JobRecord read_job(const Statement& row, int first);

@@ -58,6 +58,7 @@ JobRecord read_job(const Statement& s, int c) {
                           .confining_stress = s.real(c + 5),
                           .plate = {.width = s.real(c + 40), .thickness = s.real(c + 41)}};
   record.identity.spec.numerics.most_damping_ratio = s.real(c + 39);
+  record.identity.spec.numerics.isotropic_servo_steps = s.real(c + 43);
   record.identity.spec.effects = effects_from_text(s.text(c + 42)).value_or(EffectSet{});
   JobStatus& status = record.status;
   status.state = static_cast<JobState>(index_of(kJobStateNames, s.text(c + 26)));

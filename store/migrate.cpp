@@ -20,6 +20,7 @@ constexpr const char* kMigrations[] = {
     "CREATE TABLE model ("  // surrogates; `file` is their own JSON
     "id TEXT PRIMARY KEY, name TEXT NOT NULL, created_ms INTEGER NOT NULL, file TEXT NOT NULL) STRICT, WITHOUT ROWID;",
     "ALTER TABLE job ADD COLUMN effects TEXT NOT NULL DEFAULT '';",  // "cohesion=200;rolling_resistance=0.3"; '' = the base model, as it was
+    "ALTER TABLE job ADD COLUMN isotropic_servo_steps REAL NOT NULL DEFAULT 50;",
 };
 static_assert(std::size(kMigrations) == kSchemaVersion);
 

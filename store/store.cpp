@@ -85,7 +85,7 @@ Result<void> Store::add_job(const JobRecord& record) {
   Statement s = db_.prepare(
       "INSERT INTO job VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, "
       "?, ?, ?, "
-      "NULL, NULL, ?, ?, ?, ?)");
+      "NULL, NULL, ?, ?, ?, ?, ?)");
   s.bind(static_cast<std::uint64_t>(identity.id)).bind(identity.key).bind(name_of(identity.spec.kind));
   if (identity.parent == JobId{})
     s.bind_null();
@@ -107,7 +107,7 @@ Result<void> Store::add_job(const JobRecord& record) {
   s.bind(name_of(status.state)).bind(static_cast<std::uint64_t>(status.token)).bind(status.worker).bind(status.attempts);
   s.bind(status.deaths).bind(status.deaths_anywhere).bind(status.death_steps).bind(status.detail);
   s.bind(n.most_damping_ratio).bind(identity.spec.plate.width).bind(identity.spec.plate.thickness);
-  s.bind(effects_text(identity.spec.effects));
+  s.bind(effects_text(identity.spec.effects)).bind(n.isotropic_servo_steps);
   return s.run("store a job");
 }
 

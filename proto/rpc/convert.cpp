@@ -98,6 +98,7 @@ v1::StageSpec to_proto(const StageSpec& spec) {
   n.set_inertial_number(spec.numerics.inertial_number);
   n.set_axial_strain(spec.numerics.axial_strain);
   n.set_most_damping_ratio(spec.numerics.most_damping_ratio);
+  n.set_isotropic_servo_steps(spec.numerics.isotropic_servo_steps);
   return out;
 }
 
@@ -131,6 +132,7 @@ Result<StageSpec> from_proto(const v1::StageSpec& spec) {
                              .mass_floor = n.mass_floor(),
                              .step_fraction = n.step_fraction(),
                              .most_damping_ratio = n.most_damping_ratio(),
+                             .isotropic_servo_steps = n.isotropic_servo_steps() == 0 ? Numerics{}.isotropic_servo_steps : n.isotropic_servo_steps(),
                              .inertial_number = n.inertial_number(),
                              .axial_strain = n.axial_strain()},
                 .seed = spec.seed(),
@@ -141,7 +143,7 @@ Result<StageSpec> from_proto(const v1::StageSpec& spec) {
   const Numerics& d = out.numerics;
   if (!finite({c.friction_angle, c.normal_stiffness, c.normal_damping, c.tangential_stiffness, c.tangential_damping,
                c.largest_diameter, c.grain_density, c.gravity, d.box_length, d.box_width, d.settle_stiffness_number,
-               d.stress_stiffness_number, d.mass_floor, d.step_fraction, d.most_damping_ratio, d.inertial_number, d.axial_strain,
+               d.stress_stiffness_number, d.mass_floor, d.step_fraction, d.most_damping_ratio, d.isotropic_servo_steps, d.inertial_number, d.axial_strain,
                out.confining_stress, out.plate.width, out.plate.thickness})) {
     return invalid("stage refused (a parameter is not a finite number)");
   }

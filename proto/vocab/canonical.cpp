@@ -45,6 +45,17 @@ Fields bed_fields(const StageSpec& spec) {
   };
 }
 
+Fields stress_fields(const StageSpec& spec) {
+  const Numerics& n = spec.numerics;
+  Fields fields = {{"axial_strain", shortest(n.axial_strain)},
+                   {"confining_stress", shortest(spec.confining_stress)},
+                   {"inertial_number", shortest(n.inertial_number)},
+                   {"stress_stiffness_number", shortest(n.stress_stiffness_number)}};
+  // Named only where it differs, so that results from before it could be chosen keep their keys.
+  if (n.isotropic_servo_steps != Numerics{}.isotropic_servo_steps) fields["isotropic_servo_steps"] = shortest(n.isotropic_servo_steps);
+  return fields;
+}
+
 /// One line per effect that is on: its name, version and strength. The bed's effects stand with the bed, a test's own with the test.
 std::string effect_lines(const EffectSet& effects) {
   Fields lines;
@@ -81,10 +92,7 @@ std::string canonical_text(const StageSpec& spec) {
     case StageKind::kFabric: text += "[fabric]\n"; break;
     case StageKind::kRepose: text += "[repose]\n"; break;
     case StageKind::kStress:
-      text += "[stress]\n" + join({{"axial_strain", shortest(spec.numerics.axial_strain)},
-                                   {"confining_stress", shortest(spec.confining_stress)},
-                                   {"inertial_number", shortest(spec.numerics.inertial_number)},
-                                   {"stress_stiffness_number", shortest(spec.numerics.stress_stiffness_number)}});
+      text += "[stress]\n" + join(stress_fields(spec));
       break;
     case StageKind::kPenetration:
       text += "[penetration]\n" + join({{"inertial_number", shortest(spec.numerics.inertial_number)},

@@ -42,6 +42,7 @@ struct Numerics {
   double mass_floor = 0.4;             ///< grains smaller than this share of L_S carry the mass of that size
   double step_fraction = 0.15;         ///< share of sqrt(m/K) taken as the step
   double most_damping_ratio = 0;       ///< contacts damped beyond this share of critical count as damped by it; 0 = as given
+  double isotropic_servo_steps = 50;   ///< steps in which the walls answer during the isotropic part of the stress test; few shake the specimen
   double inertial_number = 1e-2;       ///< sets the axial strain rate of the stress test, and the plate's speed
   double axial_strain = 0.20;          ///< end of the stress test
 

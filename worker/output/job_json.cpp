@@ -55,6 +55,7 @@ Json numerics_json(const Job& job) {
           {"mass_floor", n.mass_floor},
           {"step_fraction", n.step_fraction},
           {"most_damping_ratio", n.most_damping_ratio},
+          {"isotropic_servo_steps", n.isotropic_servo_steps},
           {"inertial_number", n.inertial_number},
           {"axial_strain", n.axial_strain}};
 }

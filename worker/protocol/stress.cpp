@@ -33,7 +33,8 @@ Stress::Stress(Bed bed, const StageSpec& spec)
     : bed_(std::move(bed)),
       sigma3_(spec.confining_stress),
       inertial_number_(effects::rate_factor(spec.effects) * spec.numerics.inertial_number),
-      end_strain_(spec.numerics.axial_strain) {
+      end_strain_(spec.numerics.axial_strain),
+      servo_steps_(spec.numerics.isotropic_servo_steps) {
   start_law_ = bed_.world.law;
   const double kappa = spec.numerics.stress_stiffness_number;
   end_law_ = softened_law(bed_, kappa > 0 ? kappa * (sigma3_ + effects::attraction_pressure(bed_.effects)) * bed_.mean_diameter() : 0);
@@ -104,7 +105,7 @@ std::optional<Ending> Stress::isotropic_look() {
     if (phase_ == Phase::kRamp && i % kStepsPerRampTick == 0) advance_ramp();
     for (int axis = 0; axis < 3; ++axis) {
       const double cap = kApproachRate / inertial_time() * 0.5 * opening(w.walls, axis);
-      hold_stress({.wanted = pressure_, .most_speed = cap, .dashpot = bed_.wall_dashpot()}, axis, servo_[static_cast<std::size_t>(axis)], w);
+      hold_stress({.wanted = pressure_, .most_speed = cap, .dashpot = bed_.wall_dashpot(), .time_steps = servo_steps_}, axis, servo_[static_cast<std::size_t>(axis)], w);
     }
     dem::step(w);
     for (int axis = 0; axis < 3; ++axis) window_.stress[axis] += mean_stress(w.walls, axis);

@@ -57,6 +57,7 @@ class Stress final : public Test {
   Bed bed_;
   Guard guard_;
   double sigma3_ = 0, inertial_number_ = 1e-2, end_strain_ = 0.2;
+  double servo_steps_ = 50;            // of the isotropic phases; from the specification, so not in checkpoints
   double start_pressure_ = 0;          // of the settled bed [Pa]
   dem::LinearLaw start_law_, end_law_; // stiffness and stress rise together between them
   Phase phase_ = Phase::kApproach;

@@ -41,6 +41,7 @@ std::string breach_of(const StageSpec& spec) {
       {"mass_floor", n.mass_floor, 0, 1},
       {"step_fraction", n.step_fraction, 1e-4, 1},
       {"most_damping_ratio", n.most_damping_ratio, 0, 1e3},
+      {"isotropic_servo_steps", n.isotropic_servo_steps, 1, 1e6},
       {"inertial_number", n.inertial_number, 1e-6, 1},
       {"axial_strain", n.axial_strain, 0.02, 0.6},
   };

@@ -139,6 +139,8 @@ TEST_F(MigrateTest, AMigratedFileHasWhatANewOneHasAndTakesNewJobs) {
   StageSpec sticky = test::stage(StageKind::kSettle, 10);
   sticky.effects[EffectId::kCohesion] = 1.0 / 3;
   sticky.effects[EffectId::kRollingResistance] = 0.3;
+  StageSpec gentle = test::stage(StageKind::kStress, 11);
+  gentle.numerics.isotropic_servo_steps = 200;
   {
     auto store = Store::open(path);
     ASSERT_TRUE(store.ok()) << store.error().text;
@@ -147,6 +149,7 @@ TEST_F(MigrateTest, AMigratedFileHasWhatANewOneHasAndTakesNewJobs) {
     const auto added = (*store)->add_job({{JobId{5}, stage_key(plate), plate, {}}, {}});
     ASSERT_TRUE(added.ok()) << added.error().text;
     ASSERT_TRUE((*store)->add_job({{JobId{6}, stage_key(sticky), sticky, {}}, {}}).ok());
+    ASSERT_TRUE((*store)->add_job({{JobId{7}, stage_key(gentle), gentle, {}}, {}}).ok());
     ASSERT_TRUE((*store)->commit().ok());
   }
   {
@@ -154,11 +157,13 @@ TEST_F(MigrateTest, AMigratedFileHasWhatANewOneHasAndTakesNewJobs) {
     EXPECT_EQ((*store)->load()->jobs.at(1).identity.spec, capped);
     EXPECT_EQ((*store)->load()->jobs.at(2).identity.spec, plate);
     EXPECT_EQ((*store)->load()->jobs.at(3).identity.spec, sticky);
+    EXPECT_EQ((*store)->load()->jobs.at(4).identity.spec, gentle);
   }
   {
     Database db = raw();
     EXPECT_EQ(text(db, "SELECT effects FROM job WHERE id = 6"), "cohesion=0.3333333333333333;rolling_resistance=0.3");
     EXPECT_EQ(text(db, "SELECT effects FROM job WHERE id = 3"), "") << "the base model, as it was";
+    EXPECT_EQ(text(db, "SELECT isotropic_servo_steps FROM job WHERE id = 3"), "50.0") << "as it was";
   }
   const char* columns = "SELECT group_concat(name || ' ' || type || ' ' || \"notnull\") FROM pragma_table_info('job')";
   const std::string fresh_path = dir / "fresh.db";

@@ -38,6 +38,13 @@ TEST(CanonicalText, EverySeedAndEveryMicroParameterMakesAnotherStage) {
   EXPECT_NE(canonical_text(spec), canonical_text(other));
 }
 
+TEST(CanonicalText, TheServoOfTheIsotropicPartIsNamedWhereItIsNotTheUsualOne) {
+  StageSpec gentle{.kind = StageKind::kStress};
+  EXPECT_EQ(canonical_text(gentle).find("isotropic"), std::string::npos) << "stored results keep their keys";
+  gentle.numerics.isotropic_servo_steps = 200;
+  EXPECT_NE(canonical_text(gentle).find("isotropic_servo_steps=200\n"), std::string::npos);
+}
+
 TEST(CanonicalText, OnlyAPenetrationStageKnowsItsPlate) {
   StageSpec thin{.kind = StageKind::kPenetration, .plate = {.width = 0.03, .thickness = 0.003}};
   StageSpec thick = thin;
