@@ -1,5 +1,6 @@
 #include "scheduler/gap/comparison.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -11,8 +12,27 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 constexpr double kBankParticles = 300;
-// What two codes may differ by in a feature, in standard deviations of one run of ours: the same in every hypothesis.
-constexpr double kBetweenCodes = 0.3;
+
+/// What two codes of the same laws may differ by, in standard deviations of one run of ours, in every hypothesis alike. Features of a row
+/// differ together, besides what each does alone.
+struct BetweenCodes {
+  Test test;
+  std::vector<Part> parts;  ///< of the stress test
+  double together;
+};
+const BetweenCodes kBetweenCodes[] = {
+    {Test::kSettle, {}, 0.7},
+    {Test::kRepose, {}, 0.3},
+    {Test::kStress, {Part::kSeating}, 2.5},
+    {Test::kStress, {Part::kVolume}, 1.5},
+    {Test::kStress, {Part::kEarly, Part::kRising, Part::kStiffness}, 0.7},
+    {Test::kStress, {Part::kPeak, Part::kResidual}, 0.3},
+};
+constexpr double kAlone = 0.3;
+
+bool differs(const BetweenCodes& row, const Group& group) {
+  return row.test == group.test && (row.parts.empty() || std::ranges::find(row.parts, group.part) != row.parts.end());
+}
 
 double log_student(double distance2, double log_det, Index q) {
   const auto n = static_cast<double>(q);
@@ -25,7 +45,7 @@ double variance_of(const Feature& f, double own_noise, double size_ratio) {
   const double n = std::max(1, f.repeats), expected = own_noise * size_ratio / n, given = f.standard_error * f.standard_error;
   const double own_freedom = f.assumed ? 0 : n - 1;
   const double pooled = n > 1 || f.assumed ? (kPriorFreedom * expected + own_freedom * given) / (kPriorFreedom + own_freedom) : std::max(given, expected);
-  return (f.assumed ? std::max(pooled, given) : pooled) + kBetweenCodes * kBetweenCodes * own_noise;
+  return f.assumed ? std::max(pooled, given) : pooled;
 }
 
 }  // namespace
@@ -33,18 +53,36 @@ double variance_of(const Feature& f, double own_noise, double size_ratio) {
 Comparison compare(const Emulator& emulator, const ObservationSet& set) {
   Comparison out;
   const double size_ratio = std::min(1.0, kBankParticles / set.specimen.particles.value_or(kBankParticles));
-  std::vector<double> y, variance;
+  std::vector<double> y, variance, own;
   for (const Feature& f : features_of(readings_of(set))) {
     const int at = emulator.feature(f.id);
     if (at < 0) continue;
     out.feature.push_back(at);
     out.measured.push_back(f);
     y.push_back(f.value);
+    own.push_back(std::sqrt(emulator.noise()[at]));
     variance.push_back(variance_of(f, emulator.noise()[at], size_ratio));
   }
   out.y = Eigen::Map<const VectorXd>(y.data(), static_cast<Index>(y.size()));
   out.variance = Eigen::Map<const VectorXd>(variance.data(), static_cast<Index>(variance.size()));
+  out.variance += kAlone * kAlone * Eigen::Map<const VectorXd>(own.data(), out.size()).cwiseAbs2();
   out.correlation = emulator.correlation()(out.feature, out.feature);
+  out.error_correlation = emulator.error_correlation()(out.feature, out.feature);
+  out.between_codes = MatrixXd::Zero(out.size(), std::ssize(kBetweenCodes));
+  for (Index k = 0; k < out.size(); ++k) {
+    for (Index r = 0; r < out.between_codes.cols(); ++r) {
+      const auto at = static_cast<std::size_t>(k);
+      if (differs(kBetweenCodes[r], out.measured[at].group)) out.between_codes(k, r) = kBetweenCodes[r].together * own[at];
+    }
+  }
+  return out;
+}
+
+MatrixXd Comparison::covariance(const VectorXd& emulator_variance) const {
+  const VectorXd sd = variance.cwiseSqrt(), wrong = emulator_variance.cwiseSqrt();
+  MatrixXd out = between_codes * between_codes.transpose();
+  out += sd.asDiagonal() * correlation * sd.asDiagonal();
+  out += wrong.asDiagonal() * error_correlation * wrong.asDiagonal();
   return out;
 }
 
@@ -53,22 +91,9 @@ Comparison Comparison::subset(const std::vector<Index>& kept) const {
   for (const Index k : kept) out.feature.push_back(feature[static_cast<std::size_t>(k)]), out.measured.push_back(measured[static_cast<std::size_t>(k)]);
   out.y = y(kept), out.variance = variance(kept);
   out.correlation = correlation(kept, kept);
+  out.error_correlation = error_correlation(kept, kept);
+  out.between_codes = between_codes(kept, Eigen::all);
   return out;
-}
-
-StudentT::StudentT(const MatrixXd& correlation) {
-  const Eigen::LLT<MatrixXd> factor(correlation);
-  inverse_ = factor.solve(MatrixXd::Identity(correlation.rows(), correlation.cols()));
-  log_det_ = 2 * factor.matrixLLT().diagonal().array().log().sum();
-}
-
-double StudentT::distance2(const VectorXd& off, const VectorXd& sd) const {
-  const VectorXd z = off.cwiseQuotient(sd);
-  return z.dot(inverse_ * z);
-}
-
-double StudentT::log_density(const VectorXd& off, const VectorXd& sd) const {
-  return log_student(distance2(off, sd), log_det_ + 2 * sd.array().log().sum(), off.size());
 }
 
 double student_t_log_density(const VectorXd& off, const MatrixXd& covariance) {

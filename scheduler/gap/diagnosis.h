@@ -23,8 +23,8 @@ struct Strength {
 };
 
 struct Weighed {
-  std::string model;  ///< "none", an effect's name, "unknown"
-  std::string cause;  ///< its class
+  std::string model;  ///< "none", an effect's name, "a+b", "unknown"
+  std::string cause;  ///< its class, "a+b" of a pair
   double log_z = 0, log_z_error = 0, probability = 0;
   std::vector<Strength> strength;
 };
@@ -42,6 +42,8 @@ struct GroupGap {
 struct Isolability {
   std::string effect;
   double sigma = 0;                  ///< standard deviations that no calibration absorbs, median over the prior
+  double least = 0;                  ///< strength that these measurements notice [SI of the effect]
+  bool seen = true;                  ///< false: not even the strongest of the prior is noticed
   std::string twin;                  ///< the effect whose pattern is most alike
   double cosine = 0;
 };
