@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "scheduler/gap/between_codes.h"
+
 namespace regolab::gap {
 namespace {
 
@@ -12,27 +14,6 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 constexpr double kBankParticles = 300;
-
-/// What two codes of the same laws may differ by, in standard deviations of one run of ours, in every hypothesis alike. Features of a row
-/// differ together, besides what each does alone.
-struct BetweenCodes {
-  Test test;
-  std::vector<Part> parts;  ///< of the stress test
-  double together;
-};
-const BetweenCodes kBetweenCodes[] = {
-    {Test::kSettle, {}, 0.7},
-    {Test::kRepose, {}, 0.3},
-    {Test::kStress, {Part::kSeating}, 2.5},
-    {Test::kStress, {Part::kVolume}, 1.5},
-    {Test::kStress, {Part::kEarly, Part::kRising, Part::kStiffness}, 0.7},
-    {Test::kStress, {Part::kPeak, Part::kResidual}, 0.3},
-};
-constexpr double kAlone = 0.3;
-
-bool differs(const BetweenCodes& row, const Group& group) {
-  return row.test == group.test && (row.parts.empty() || std::ranges::find(row.parts, group.part) != row.parts.end());
-}
 
 double log_student(double distance2, double log_det, Index q) {
   const auto n = static_cast<double>(q);
@@ -65,16 +46,11 @@ Comparison compare(const Emulator& emulator, const ObservationSet& set) {
   }
   out.y = Eigen::Map<const VectorXd>(y.data(), static_cast<Index>(y.size()));
   out.variance = Eigen::Map<const VectorXd>(variance.data(), static_cast<Index>(variance.size()));
-  out.variance += kAlone * kAlone * Eigen::Map<const VectorXd>(own.data(), out.size()).cwiseAbs2();
+  const VectorXd sd = Eigen::Map<const VectorXd>(own.data(), out.size());
+  out.variance += kAlone * kAlone * sd.cwiseAbs2();
   out.correlation = emulator.correlation()(out.feature, out.feature);
   out.error_correlation = emulator.error_correlation()(out.feature, out.feature);
-  out.between_codes = MatrixXd::Zero(out.size(), std::ssize(kBetweenCodes));
-  for (Index k = 0; k < out.size(); ++k) {
-    for (Index r = 0; r < out.between_codes.cols(); ++r) {
-      const auto at = static_cast<std::size_t>(k);
-      if (differs(kBetweenCodes[r], out.measured[at].group)) out.between_codes(k, r) = kBetweenCodes[r].together * own[at];
-    }
-  }
+  out.between_codes = sd.asDiagonal() * between_codes(out.measured);
   return out;
 }
 
