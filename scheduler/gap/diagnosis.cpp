@@ -17,6 +17,7 @@ using Eigen::VectorXd;
 
 constexpr int kReplicates = 1000;
 constexpr int kParticlesOfWhere = 150;  // one fit for each group
+constexpr std::string_view kReadByAGauge = "_measured";  // of a lateral stress offset that is no secret
 constexpr std::size_t kPaired = 4;  // best single effects that are tried in pairs
 
 double quantile(std::vector<double> v, double share) {
@@ -49,6 +50,9 @@ std::vector<Hypothesis> hypotheses_of(const Emulator& emulator, const std::vecto
     if (!isolability[c].seen) continue;
     const Cause& cause = emulator.causes()[c];
     out.push_back({std::string(cause.effect->name), {c}, false, {StrengthRange::of(cause, isolability[c].least)}});
+    if (cause.effect->id != EffectId::kLateralStressOffset) continue;
+    out.push_back(out.back());
+    out.back().name += kReadByAGauge, out.back().offset_read = true;
   }
   out.push_back({"unknown", {}, true, {}});
   return out;
@@ -58,7 +62,7 @@ std::vector<Hypothesis> hypotheses_of(const Emulator& emulator, const std::vecto
 std::vector<Hypothesis> pairs_of(const std::vector<Hypothesis>& hypotheses, const std::vector<Weighed>& singles) {
   std::vector<std::pair<double, const Hypothesis*>> best;
   for (std::size_t h = 0; h < singles.size(); ++h) {
-    if (hypotheses[h].causes.size() == 1) best.emplace_back(singles[h].log_z, &hypotheses[h]);
+    if (hypotheses[h].causes.size() == 1 && !hypotheses[h].offset_read) best.emplace_back(singles[h].log_z, &hypotheses[h]);
   }
   std::ranges::sort(best, std::greater{}, &std::pair<double, const Hypothesis*>::first);
   best.resize(std::min(best.size(), kPaired));

@@ -86,7 +86,14 @@ Predicted Likelihood::predict(const MatrixXd& u) const {
   std::vector<Use> uses;
   for (std::size_t k = 0; k < hypothesis_.causes.size(); ++k) uses.push_back({hypothesis_.causes[k], strength(u, k)});
   const Predicted all = emulator_.predict(values(u), uses);
-  return {all.mean(comparison_.feature, Eigen::all), all.variance(comparison_.feature, Eigen::all)};
+  Predicted out{all.mean(comparison_.feature, Eigen::all), all.variance(comparison_.feature, Eigen::all)};
+  if (hypothesis_.offset_read) {
+    for (Index k = 0; k < out.mean.rows(); ++k) {
+      const Group& group = comparison_.measured[static_cast<std::size_t>(k)].group;
+      if (comparison_.measured[static_cast<std::size_t>(k)].id.starts_with("sigma3_measured_ratio")) out.mean.row(k) += strength(u, 0).transpose() / group.sigma3;
+    }
+  }
+  return out;
 }
 
 VectorXd Likelihood::operator()(const MatrixXd& u) const {

@@ -24,6 +24,7 @@ struct Hypothesis {
   std::vector<std::size_t> causes;     ///< of the emulator
   bool unknown = false;
   std::vector<StrengthRange> strength; ///< of the causes; empty: their whole priors
+  bool offset_read = false;            ///< a lateral stress offset shows in the measured sigma3: a gauge beside the controller's
 };
 
 /// A micro-parameter that the experimenter states.

@@ -71,6 +71,7 @@ std::string cause_class(const std::string& effect) {
     const std::string a = cause_class(effect.substr(0, plus)), b = cause_class(effect.substr(plus + 1));
     return std::min(a, b) + "+" + std::max(a, b);
   }
+  if (effect.starts_with("lateral_stress_offset")) return "lateral_stress_offset";
   if (effect.starts_with("preparation_")) return "preparation";
   if (effect == "frame_compliance" || effect == "seating" || effect.starts_with("load_cell_")) return "apparatus";
   return effect;
