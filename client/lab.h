@@ -45,6 +45,11 @@ class Lab {
   Outcome emulate(const pb::EmulateRequest& request, pb::EmulateReply& reply);
   /// The last event holds the diagnosis, or why the files were refused.
   Outcome diagnose(const pb::DiagnoseRequest& request, const std::function<void(const pb::DiagnoseEvent&)>& on_step, pb::DiagnoseEvent& last);
+  Outcome draw_blind(const pb::BlindDrawRequest& request, pb::BlindDrawReply& reply);
+  Outcome design_blind(const pb::BlindTruth& request, pb::BlindDesignReply& reply);
+  Outcome observe_blind(const pb::BlindObserveRequest& request, pb::BlindObserveReply& reply);
+  /// The bank first, then the cases.
+  Outcome score_blind(const std::vector<pb::BlindScoreRequest>& messages, pb::BlindScoreReply& reply);
   /// Until the model is stored; `last` is the event that carries it.
   Outcome train(const pb::TrainRequest& request, const std::function<void(const pb::TrainEvent&)>& on_event, pb::TrainEvent& last);
 

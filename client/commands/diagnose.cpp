@@ -16,8 +16,6 @@
 namespace regolab::client {
 namespace {
 
-constexpr std::size_t kLargestBank = 16 << 20;  // [bytes]
-
 Json strength_json(const pb::EffectStrength& s) {
   return {{"effect", s.effect()}, {"unit", s.unit_si()}, {"median", s.median()}, {"q05", s.low_05()}, {"q95", s.high_95()}};
 }
@@ -44,7 +42,8 @@ void add_diagnosis(const pb::Diagnosis& d, Json& out) {
   out["provenance"] = {{"bank", d.bank()}, {"features", d.features()}, {"seed", d.seed()}, {"physics_version", d.physics_version()}};
 }
 
-/// The files of another bank than the program's own.
+}  // namespace
+
 Outcome read_bank_files(const Arguments& arguments, pb::DiagnoseRequest& request) {
   std::string text;
   if (!arguments.bank.empty()) {
@@ -57,8 +56,6 @@ Outcome read_bank_files(const Arguments& arguments, pb::DiagnoseRequest& request
   }
   return done();
 }
-
-}  // namespace
 
 Outcome gap_emulate(const Arguments& arguments, Console& console) {
   std::string text;

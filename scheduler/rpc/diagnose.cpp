@@ -1,4 +1,5 @@
 #include "digest/sha256.h"
+#include "scheduler/gap/bank_in_use.h"
 #include "scheduler/gap/diagnosis.h"
 #include "scheduler/gap/kernels.h"
 #include "scheduler/gap/observation_csv.h"
@@ -10,35 +11,9 @@
 namespace regolab {
 namespace {
 
-/// The bank handed in, or the shipped one; diagnostics when it cannot be read.
-struct BankInUse {
-  std::optional<Result<gap::Emulator>> own;
-  std::vector<Diagnostic> diagnostics;
-  std::string id;
-  const Result<gap::Emulator>& emulator() const { return own ? *own : gap::shipped_emulator(); }
-};
-
-BankInUse bank_in_use(const v1::DiagnoseRequest& request) {
-  BankInUse out;
-  if (request.bank_csv().empty()) {
-    out.id = sha256_hex(std::string(gap::shipped_bank())).substr(0, 12);
-    return out;
-  }
-  out.id = sha256_hex(request.bank_csv()).substr(0, 12);
-  auto bank = gap::read_bank(request.bank_name(), request.bank_csv());
-  out.diagnostics = std::move(bank.diagnostics);
-  if (!bank.value) return out;
-  std::vector<gap::Kernel> kernels;
-  if (!request.kernels_json().empty()) {
-    auto read = gap::kernels_from_json(request.kernels_json());
-    if (!read.ok()) {
-      out.own = read.error();
-      return out;
-    }
-    kernels = std::move(*read);
-  }
-  out.own = gap::Emulator::from(*bank.value, kernels);
-  return out;
+/// SHA-256 of the bank's text, 12 digits.
+std::string id_of(const v1::DiagnoseRequest& request) {
+  return sha256_hex(request.bank_csv().empty() ? std::string(gap::shipped_bank()) : request.bank_csv()).substr(0, 12);
 }
 
 }  // namespace
@@ -58,7 +33,7 @@ grpc::Status GapsService::Diagnose(grpc::ServerContext* context, const v1::Diagn
   v1::DiagnoseEvent event;
   const auto set = read_measurements_of(request->measurements());
   for (const Diagnostic& diagnostic : set.diagnostics) *event.add_diagnostics() = to_proto(diagnostic);
-  const BankInUse bank = bank_in_use(*request);
+  const gap::BankInUse bank = gap::bank_in_use(request->bank_name(), request->bank_csv(), request->kernels_json());
   for (const Diagnostic& diagnostic : bank.diagnostics) *event.add_diagnostics() = to_proto(diagnostic);
   if (!set.ok() || !bank.diagnostics.empty()) {
     writer->Write(event);
@@ -75,7 +50,7 @@ grpc::Status GapsService::Diagnose(grpc::ServerContext* context, const v1::Diagn
   if (!found.ok()) return to_grpc(found.error());
   *event.mutable_diagnosis() = to_proto(*found);
   event.mutable_diagnosis()->set_case_name(set.value->name);
-  event.mutable_diagnosis()->set_bank(bank.id);
+  event.mutable_diagnosis()->set_bank(id_of(*request));
   event.mutable_diagnosis()->set_seed(options.smc.seed);
   event.mutable_diagnosis()->set_physics_version(kPhysicsVersion);
   writer->Write(event);
