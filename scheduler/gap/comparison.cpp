@@ -1,8 +1,11 @@
 #include "scheduler/gap/comparison.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
+
+#include "scheduler/gap/strength_line.h"
 
 namespace regolab::gap {
 namespace {
@@ -48,13 +51,38 @@ double variance_of(const Feature& f, double own_noise, double size_ratio) {
   return f.assumed ? std::max(pooled, given) : pooled;
 }
 
+/// Confining stresses of the emulator's sigma1, ascending [Pa].
+std::vector<double> sigma3_of(const Emulator& emulator) {
+  std::vector<double> out;
+  for (const FeatureInfo& f : emulator.features()) {
+    if (f.id.starts_with("sigma1_ratio_")) out.push_back(f.group.sigma3);
+  }
+  std::ranges::sort(out);
+  return out;
+}
+
+/// Both ends of a strength line err by the same two numbers, and by nothing that other features share.
+void go_together(const StrengthLine& line, Comparison& comparison) {
+  std::array<Index, 2> at;
+  for (std::size_t k = 0; k < 2; ++k) {
+    at[k] = std::ranges::find(comparison.measured, line.ends[k].id, &Feature::id) - comparison.measured.begin();
+    comparison.correlation.row(at[k]).setZero(), comparison.correlation.col(at[k]).setZero();
+    comparison.correlation(at[k], at[k]) = 1;
+  }
+  const double own = line.correlation * line.ends[0].standard_error * line.ends[1].standard_error;
+  comparison.correlation(at[0], at[1]) = comparison.correlation(at[1], at[0]) = own / std::sqrt(comparison.variance[at[0]] * comparison.variance[at[1]]);
+}
+
 }  // namespace
 
 Comparison compare(const Emulator& emulator, const ObservationSet& set) {
   Comparison out;
   const double size_ratio = std::min(1.0, kBankParticles / set.specimen.particles.value_or(kBankParticles));
   std::vector<double> y, variance, own;
-  for (const Feature& f : features_of(readings_of(set))) {
+  auto features = features_of(readings_of(set));
+  const auto line = strength_line(features, sigma3_of(emulator), set.protocol.sigma3);
+  if (line) features.insert(features.end(), line->ends.begin(), line->ends.end());
+  for (const Feature& f : features) {
     const int at = emulator.feature(f.id);
     if (at < 0) continue;
     out.feature.push_back(at);
@@ -67,6 +95,7 @@ Comparison compare(const Emulator& emulator, const ObservationSet& set) {
   out.variance = Eigen::Map<const VectorXd>(variance.data(), static_cast<Index>(variance.size()));
   out.variance += kAlone * kAlone * Eigen::Map<const VectorXd>(own.data(), out.size()).cwiseAbs2();
   out.correlation = emulator.correlation()(out.feature, out.feature);
+  if (line) go_together(*line, out);
   out.error_correlation = emulator.error_correlation()(out.feature, out.feature);
   out.between_codes = MatrixXd::Zero(out.size(), std::ssize(kBetweenCodes));
   for (Index k = 0; k < out.size(); ++k) {

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Eigenvalues>
 #include <cmath>
 
 #include "scheduler/gap/diagnosis.h"
@@ -123,6 +124,36 @@ TEST(Diagnosis, NothingToCompareIsAnError) {
   ObservationSet set;
   set.scalars.push_back({.id = "sigma1_at_sigma3_7kPa", .value = 9, .unit = "Pa", .unit_as_read = "Pa", .standard_error = 1, .definition = {}, .sigma3 = 7000});
   EXPECT_EQ(diagnose(emulator(), set, {}).error().code, Code::kFailedPrecondition);
+}
+
+/// A bank with sigma1 alone, at two stresses.
+const Emulator& strength_emulator() {
+  static const auto made = [] {
+    Bank bank{.inputs = {{"theta_F", "rad"}}, .features = {"bulk_density", "sigma1_ratio_1.25", "sigma1_ratio_10"}, .rows = {}};
+    for (int k = 0; k < 60; ++k) {
+      const double friction = golden(k / 2, 0.618), common = 0.05 * std::sin(77.0 * k);
+      bank.rows.push_back({.experiment = "n", .point = k / 2, .seed = static_cast<std::uint64_t>(k % 2), .profile = "quick", .inputs = {friction},
+                           .features = {1600 - 50 * friction + 20 * common, 0.7 + friction + common, 0.7 + friction + common + 0.02 * std::cos(13.0 * k)}});
+    }
+    return Emulator::from(bank);
+  }();
+  return *made;
+}
+
+TEST(Comparison, TakesCohesionAndFrictionAngleAsTwoFeaturesThatErrTogether) {
+  ObservationSet set;
+  const auto scalar = [&](const char* id, double value, const char* unit, double error) {
+    set.scalars.push_back({.id = id, .value = value, .unit = unit, .unit_as_read = unit, .standard_error = error, .definition = {}});
+  };
+  scalar("bulk_density", 1580, "kg/m3", 5), scalar("cohesion", 1000, "Pa", 300), scalar("friction_angle_internal", 0.7, "rad", 0.001);
+  const Comparison c = compare(strength_emulator(), set);
+  ASSERT_EQ(c.size(), 3);
+  EXPECT_EQ(c.measured[1].id, "sigma1_ratio_1.25");
+  EXPECT_NEAR(c.measured[1].value, std::log(std::pow(std::tan(0.7853981634 + 0.35), 2) + 2 * 1000 * std::tan(0.7853981634 + 0.35) / 1250), 1e-9);
+  EXPECT_EQ(c.correlation(0, 1), 0);  // a balance and a load cell
+  const double together = c.correlation(1, 2) * std::sqrt(c.variance[1] * c.variance[2]);
+  EXPECT_NEAR(together, c.measured[1].standard_error * c.measured[2].standard_error, 0.01 * together);  // the cohesion's error moves both
+  EXPECT_GT(Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(c.covariance(Eigen::VectorXd::Zero(3))).eigenvalues().minCoeff(), 0);
 }
 
 }  // namespace
