@@ -40,6 +40,7 @@ const std::map<std::string, Verb>& verbs() {
       {"gap bank", gap_bank},
       {"gap emulate", gap_emulate},
       {"gap diagnose", gap_diagnose},
+      {"gap next", gap_next},
       {"article check", check_article},
       {"article compare", compare_article},
       {"article functions", article_functions},

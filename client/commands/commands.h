@@ -27,6 +27,7 @@ Outcome gap_import(const Arguments& arguments, Console& console);
 Outcome gap_bank(const Arguments& arguments, Console& console);
 Outcome gap_emulate(const Arguments& arguments, Console& console);
 Outcome gap_diagnose(const Arguments& arguments, Console& console);
+Outcome gap_next(const Arguments& arguments, Console& console);
 Outcome check_article(const Arguments& arguments, Console& console);
 Outcome compare_article(const Arguments& arguments, Console& console);
 Outcome article_functions(const Arguments& arguments, Console& console);

@@ -75,13 +75,20 @@ void go_together(const StrengthLine& line, Comparison& comparison) {
 
 }  // namespace
 
+double size_ratio_of(const ObservationSet& set) { return std::min(1.0, kBankParticles / set.specimen.particles.value_or(kBankParticles)); }
+
 Comparison compare(const Emulator& emulator, const ObservationSet& set) {
-  Comparison out;
-  const double size_ratio = std::min(1.0, kBankParticles / set.specimen.particles.value_or(kBankParticles));
-  std::vector<double> y, variance, own;
   auto features = features_of(readings_of(set));
   const auto line = strength_line(features, sigma3_of(emulator), set.protocol.sigma3);
   if (line) features.insert(features.end(), line->ends.begin(), line->ends.end());
+  Comparison out = compare(emulator, features, size_ratio_of(set));
+  if (line) go_together(*line, out);
+  return out;
+}
+
+Comparison compare(const Emulator& emulator, const std::vector<Feature>& features, double size_ratio) {
+  Comparison out;
+  std::vector<double> y, variance, own;
   for (const Feature& f : features) {
     const int at = emulator.feature(f.id);
     if (at < 0) continue;
@@ -92,10 +99,9 @@ Comparison compare(const Emulator& emulator, const ObservationSet& set) {
     variance.push_back(variance_of(f, emulator.noise()[at], size_ratio));
   }
   out.y = Eigen::Map<const VectorXd>(y.data(), static_cast<Index>(y.size()));
-  out.variance = Eigen::Map<const VectorXd>(variance.data(), static_cast<Index>(variance.size()));
-  out.variance += kAlone * kAlone * Eigen::Map<const VectorXd>(own.data(), out.size()).cwiseAbs2();
+  out.between_alone = kAlone * kAlone * Eigen::Map<const VectorXd>(own.data(), out.size()).cwiseAbs2();
+  out.variance = Eigen::Map<const VectorXd>(variance.data(), static_cast<Index>(variance.size())) + out.between_alone;
   out.correlation = emulator.correlation()(out.feature, out.feature);
-  if (line) go_together(*line, out);
   out.error_correlation = emulator.error_correlation()(out.feature, out.feature);
   out.between_codes = MatrixXd::Zero(out.size(), std::ssize(kBetweenCodes));
   for (Index k = 0; k < out.size(); ++k) {
@@ -118,7 +124,7 @@ MatrixXd Comparison::covariance(const VectorXd& emulator_variance) const {
 Comparison Comparison::subset(const std::vector<Index>& kept) const {
   Comparison out;
   for (const Index k : kept) out.feature.push_back(feature[static_cast<std::size_t>(k)]), out.measured.push_back(measured[static_cast<std::size_t>(k)]);
-  out.y = y(kept), out.variance = variance(kept);
+  out.y = y(kept), out.variance = variance(kept), out.between_alone = between_alone(kept);
   out.correlation = correlation(kept, kept);
   out.error_correlation = error_correlation(kept, kept);
   out.between_codes = between_codes(kept, Eigen::all);
