@@ -27,6 +27,12 @@ Comparison every_feature(const Emulator& emulator) {
   return compare(emulator, all, 1);
 }
 
+/// Covariance of what specimens do, of given variances. What codes differ by is none of it: it stays from test to test.
+MatrixXd scatter(const Comparison& comparison, const VectorXd& variance) {
+  const VectorXd sd = variance.cwiseSqrt();
+  return sd.asDiagonal() * comparison.correlation * sd.asDiagonal();
+}
+
 /// One draw of one hypothesis, given what is measured.
 struct Draw {
   double weight;
@@ -82,8 +88,7 @@ class Foretold {
         variance[k] = (q_.comparison.variance[at] - q_.comparison.between_alone[at]) / kFurther;
       }
     }
-    const VectorXd sd = variance.cwiseSqrt();
-    return {fresh.feature, sd.asDiagonal() * fresh.correlation * sd.asDiagonal()};
+    return {fresh.feature, scatter(fresh, variance)};
   }
 
  private:
@@ -94,17 +99,14 @@ class Foretold {
     const Likelihood likelihood(q_.emulator, every_, b.hypothesis, q_.stated, library_);
     const Predicted p = likelihood.predict(u);
     const auto& y = q_.comparison.feature;
+    const MatrixXd own = scatter(q_.comparison, q_.comparison.variance - q_.comparison.between_alone);
     for (Index k = 0; k < n; ++k) {
       const VectorXd wrong = p.variance.col(k).cwiseSqrt();
       MatrixXd shared = every_.between_codes * every_.between_codes.transpose();
       shared += wrong.asDiagonal() * every_.error_correlation * wrong.asDiagonal();
       shared.diagonal() += every_.between_alone;
-      MatrixXd seen = q_.comparison.covariance(p.variance.col(k)(y));
-      if (b.hypothesis.unknown) {
-        const double size = likelihood.unknown_size(u.col(k));
-        shared += size * size * library_, seen += size * size * library_(y, y);
-      }
-      Eigen::LLT<MatrixXd> factor(seen);
+      if (b.hypothesis.unknown) shared += std::pow(likelihood.unknown_size(u.col(k)), 2) * library_;
+      Eigen::LLT<MatrixXd> factor(shared(y, y) + own);
       const VectorXd off = q_.comparison.y - p.mean.col(k)(y), pull = factor.solve(off);
       const double scale = (kFreedom + off.dot(pull)) / (kFreedom + static_cast<double>(off.size()));
       out.push_back({b.probability / static_cast<double>(n), p.mean.col(k), std::move(shared), pull, std::move(factor), scale});

@@ -139,6 +139,17 @@ TEST(NextTests, MoreOfWhatDoesNotShowTheCauseTellsNothing) {
   }
 }
 
+TEST(NextTests, AHypothesisIsNotToldFromItself) {
+  Question question(0);
+  question.believed.pop_back();
+  question.believed.front().probability = 0.5;
+  question.believed.push_back(question.believed.front());
+  question.believed.back().cause = "the same";
+  const Likelihood likelihood(made_up_emulator(), question.comparison, {"none", {}, false, {}}, question.stated);
+  question.believed.back().u = sample_posterior(likelihood, likelihood.parameters(), {.particles = 200, .seed = 99}).u;
+  for (const NextTest& test : question.ask()) EXPECT_LT(test.nats.value_or(1), 0.02) << test.test;
+}
+
 TEST(NextTests, WhatIsKnownNeedsNoTest) {
   for (const NextTest& test : Question(0.0001).ask()) EXPECT_LT(test.nats.value_or(0), 1e-3) << test.test;
 }
