@@ -162,6 +162,13 @@ struct Tree {
     sub->add_flag("--assume-errors", arguments.assume_errors, "where no standard error is given, a stated default, marked in every report");
   }
 
+  void diagnosis_of(CLI::App* sub) {
+    measurements_of(sub);
+    sub->add_option("--bank", arguments.bank, "another bank than the program's own")->type_name("FILE");
+    sub->add_option("--kernels", arguments.kernels, "of that bank, as `gap emulate` wrote them")->type_name("FILE");
+    sub->add_option("--seed", arguments.random_seed, "of the sampler [1]")->type_name("N");
+  }
+
   void add_gap_verbs() {
     auto* gap = app.add_subcommand("gap", "measurements of a real material beside our own runs");
     gap->require_subcommand(1);
@@ -176,10 +183,9 @@ struct Tree {
     emulate->add_option("BANK", arguments.bank, "bank.csv")->required();
     output_of(emulate);
     auto* diagnose = verb(*gap, "diagnose", "where the simulation is wrong, which effect explains it, or none of these");
-    measurements_of(diagnose);
-    bank_of(diagnose);
-    diagnose->add_option("--seed", arguments.random_seed, "of the sampler [1]")->type_name("N");
+    diagnosis_of(diagnose);
     diagnose->add_option("--report", arguments.output, "also as one HTML file")->type_name("FILE");
+    diagnosis_of(verb(*gap, "next", "which test would tell most about which cause it is, per hour; a diagnosis comes first"));
     add_blind_verbs(*gap);
   }
 

@@ -11,6 +11,7 @@
 #include "client/json_view.h"
 #include "client/session.h"
 #include "client/views/gap_html.h"
+#include "client/views/gap_next.h"
 #include "client/views/gap_text.h"
 
 namespace regolab::client {
@@ -37,7 +38,7 @@ void add_diagnosis(const pb::Diagnosis& d, Json& out) {
   for (const auto& i : d.isolability()) out["isolability"].push_back({{"effect", i.effect()}, {"sigma", i.sigma()}, {"twin", i.twin()}, {"cosine", i.cosine()}});
   out["adequacy"] = {{"p", d.adequacy_p()}, {"threshold", d.adequacy_threshold()}};
   out["shrinkage"] = Json();
-  out["next_tests"] = Json::array();
+  out["next_tests"] = next_json(d);
   out["warnings"] = std::vector<std::string>(d.warnings().begin(), d.warnings().end());
   out["provenance"] = {{"bank", d.bank()}, {"features", d.features()}, {"seed", d.seed()}, {"physics_version", d.physics_version()}};
 }
@@ -72,13 +73,14 @@ Outcome gap_emulate(const Arguments& arguments, Console& console) {
   return done();
 }
 
-Outcome gap_diagnose(const Arguments& arguments, Console& console) {
-  pb::DiagnoseRequest request;
+namespace {
+
+/// Diagnoses with progress on stderr. The file may have been refused: see the diagnostics of `last`.
+Outcome diagnose(const Arguments& arguments, Console& console, Session& session, pb::DiagnoseRequest& request, pb::DiagnoseEvent& last) {
   if (auto read = read_measurements(arguments, *request.mutable_measurements()); !read.ok()) return read;
   if (auto read = read_bank_files(arguments, request); !read.ok()) return read;
   request.mutable_measurements()->set_want_file(false);  // --report is another file
   request.set_seed(arguments.random_seed);
-  Session session;
   if (auto opened = open_session(arguments, Need::kScratch, session); !opened.ok()) return opened;
   const auto start = std::chrono::steady_clock::now();
   const auto show = [&](const pb::DiagnoseEvent& event) {
@@ -86,9 +88,17 @@ Outcome gap_diagnose(const Arguments& arguments, Console& console) {
     const std::string left = event.done() < 2 ? "" : fmt::format(", about {:.0f} s left", spent / event.done() * (event.of() - event.done()));
     console.err << fmt::format("{}/{}: {}{}\n", event.done() + 1, event.of(), event.what(), left) << std::flush;
   };
-  pb::DiagnoseEvent last;
   if (auto got = session.lab->diagnose(request, show, last); !got.ok()) return session.explain(got);
-  if (!last.diagnostics().empty()) return rejected(from_proto(last.diagnostics()), arguments, console);
+  return last.diagnostics().empty() ? done() : rejected(from_proto(last.diagnostics()), arguments, console);
+}
+
+}  // namespace
+
+Outcome gap_diagnose(const Arguments& arguments, Console& console) {
+  Session session;
+  pb::DiagnoseRequest request;
+  pb::DiagnoseEvent last;
+  if (auto got = diagnose(arguments, console, session, request, last); !got.ok()) return got;
   if (!arguments.output.empty()) {
     pb::ImportReply measured;
     if (auto got = session.lab->import_observations(request.measurements(), measured); !got.ok()) return session.explain(got);
@@ -100,6 +110,26 @@ Outcome gap_diagnose(const Arguments& arguments, Console& console) {
     console.out << text_of(out);
   } else {
     console.out << diagnosis_text(last.diagnosis());
+  }
+  console.out << std::flush;
+  return done();
+}
+
+Outcome gap_next(const Arguments& arguments, Console& console) {
+  Session session;
+  pb::DiagnoseRequest request;
+  pb::DiagnoseEvent last;
+  if (auto got = diagnose(arguments, console, session, request, last); !got.ok()) return got;
+  const pb::Diagnosis& d = last.diagnosis();
+  if (arguments.json) {
+    Json out = document("gap-next");
+    out["case"] = d.case_name();
+    out["verdict"] = d.verdict();
+    out["open_nats"] = d.open_nats();
+    out["next_tests"] = next_json(d);
+    console.out << text_of(out);
+  } else {
+    console.out << diagnosis_lines(d)[1] << "\n" << next_text(d);
   }
   console.out << std::flush;
   return done();
