@@ -54,7 +54,7 @@ constexpr EffectInfo kTable[] = {
      "apparatus; no DEM run"},
     {EffectId::kLoadCellOffset, "load_cell_offset", 1, acts::kStress, "F_0", "Pa", -5000, 20000, -1000, 3000, false,
      "axial stress read as sigma1 + F_0", "sigma1 up by a constant in Pa", "apparatus; no DEM run"},
-    {EffectId::kLoadCellGain, "load_cell_gain", 1, acts::kStress, "g", "1", -0.5, 1, -0.2, 0.3, false,
+    {EffectId::kLoadCellGain, "load_cell_gain", 1, acts::kStress, "g", "1", -0.5, 1, -0.1, 0.1, false,
      "axial stress read as (1 + g) sigma1", "sigma1 up by the same share at every sigma3", "apparatus; no DEM run"},
     {EffectId::kGrainDensity, "grain_density", 1, acts::kFabric | kTests, "x", "1", -0.3, 0.3, -0.05, 0.05, false,
      "grains weigh (1 + x) of the density stated: bulk density from their mass, void ratio from the density stated",

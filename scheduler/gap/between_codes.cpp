@@ -27,9 +27,9 @@ const std::vector<Difference>& differences() {
       {{"void_ratio_compressed", 0, 0.6}},
       {{"volumetric_strain_0.05", 0.5}, {"volumetric_strain_0.10", 0.5}, {"volumetric_strain_0.19", 0.5}},
       {{"volumetric_strain_0.05", 0, 0.4}, {"volumetric_strain_0.10", 0, 0.4}, {"volumetric_strain_0.19", 0, 0.4}},
-      {{"sigma1_early", 0.4}, {"sigma1_rising", 0.4}, {"E50_ratio", 0.4}},
+      {{"sigma1_early", 0.5}, {"sigma1_rising", 0.5}, {"E50_ratio", 0.5}},
       {{"sigma1_early", 0, 0.4}, {"sigma1_rising", 0, 0.3}, {"E50_ratio", 0, 0.3}},
-      {{"sigma1_middle", 0.5}, {"sigma1_peak_ratio", 0.5}, {"sigma1_ratio", 0.5}},
+      {{"sigma1_middle", 0.9}, {"sigma1_peak_ratio", 0.9}, {"sigma1_ratio", 0.9}},
       {{"sigma1_middle", 0, 0.3}, {"sigma1_peak_ratio", 0, 0.3}, {"sigma1_ratio", 0, 0.3}},
   };
   return all;
