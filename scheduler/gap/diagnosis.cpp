@@ -30,6 +30,18 @@ Strength strength_of(const Emulator& emulator, std::size_t cause, const VectorXd
   return {std::string(effect.name), std::string(effect.si), quantile(v, 0.5), quantile(v, 0.05), quantile(v, 0.95)};
 }
 
+/// Evenly over the particles.
+std::vector<Draw> draws_of(const Likelihood& model, const MatrixXd& u, std::size_t n_causes) {
+  std::vector<Draw> out;
+  for (int k = 0; k < kDraws; ++k) {
+    const MatrixXd one = u.col(k * u.cols() / kDraws), values = model.values(one);
+    Draw draw{.values = {values.data(), values.data() + values.size()}, .strength = {}};
+    for (std::size_t c = 0; c < n_causes; ++c) draw.strength.push_back(model.strength(one, c)[0]);
+    out.push_back(std::move(draw));
+  }
+  return out;
+}
+
 /// Share of data sets, drawn from the fitted model and its noise, that would misfit it more. Each is compared with the best of the draws.
 double adequacy_of(const Likelihood& model, const Comparison& comparison, const Posterior& posterior, std::uint64_t seed) {
   const Index keep = std::min<Index>(200, posterior.u.cols());
@@ -136,11 +148,29 @@ std::string cause_class(const std::string& effect) {
   return effect;
 }
 
+namespace {
+
+std::vector<GroupGap> where_of(const Emulator& emulator, const Comparison& comparison, const std::map<std::string, Stated>& stated, const DiagnosisOptions& options) {
+  SmcOptions quick = options.smc;
+  quick.repeats = 1;
+  return remembered_where(options.memory, "where", [&] { return locate(emulator, comparison, stated, quick); });
+}
+
+Error nothing_to_compare() {
+  return {Code::kFailedPrecondition, "nothing to compare (no measured feature is one that the bank has) measure density, repose or stress at the bank's sigma3"};
+}
+
+}  // namespace
+
+Result<std::vector<GroupGap>> locate(const Emulator& emulator, const ObservationSet& set, const DiagnosisOptions& options) {
+  const Comparison comparison = compare(emulator, set);
+  if (comparison.size() == 0) return nothing_to_compare();
+  return where_of(emulator, comparison, stated_in(set, emulator.space()), options);
+}
+
 Result<Diagnosis> diagnose(const Emulator& emulator, const ObservationSet& set, const DiagnosisOptions& options, const OnStep& on_step) {
   const Comparison comparison = compare(emulator, set);
-  if (comparison.size() == 0) {
-    return Error{Code::kFailedPrecondition, "nothing to compare (no measured feature is one that the bank has) measure density, repose or stress at the bank's sigma3"};
-  }
+  if (comparison.size() == 0) return nothing_to_compare();
   const auto stated = stated_in(set, emulator.space());
   Diagnosis out;
   out.features = static_cast<int>(comparison.size());
@@ -158,9 +188,10 @@ Result<Diagnosis> diagnose(const Emulator& emulator, const ObservationSet& set, 
     const Likelihood likelihood(emulator, comparison, hypothesis, stated, library);
     SmcOptions smc = options.smc;
     smc.seed += h + 1;
-    Posterior posterior = sample_posterior(likelihood, likelihood.parameters(), smc);
-    Weighed weighed{.model = hypothesis.name, .cause = cause_class(hypothesis.name), .log_z = posterior.log_z, .log_z_error = posterior.log_z_error, .strength = {}};
+    Posterior posterior = remembered_posterior(options.memory, "evidence: " + hypothesis.name, [&] { return sample_posterior(likelihood, likelihood.parameters(), smc); });
+    Weighed weighed{.model = hypothesis.name, .cause = cause_class(hypothesis.name), .log_z = posterior.log_z, .log_z_error = posterior.log_z_error, .strength = {}, .draws = {}};
     for (std::size_t k = 0; k < hypothesis.causes.size(); ++k) weighed.strength.push_back(strength_of(emulator, hypothesis.causes[k], likelihood.strength(posterior.u, k)));
+    weighed.draws = draws_of(likelihood, posterior.u, hypothesis.causes.size());
     out.models.push_back(std::move(weighed));
     posteriors.emplace(hypothesis.name, std::move(posterior));
   }
@@ -169,9 +200,7 @@ Result<Diagnosis> diagnose(const Emulator& emulator, const ObservationSet& set, 
   const auto hypothesis = std::ranges::find(hypotheses, named->model, &Hypothesis::name);
   out.adequacy = adequacy_of(Likelihood(emulator, comparison, *hypothesis, stated, library), comparison, posteriors.at(named->model), options.smc.seed);
   if (!step("where", steps - 1)) return Error{Code::kCancelled, "stopped (the caller has gone) nothing was lost"};
-  SmcOptions quick = options.smc;
-  quick.repeats = 1;
-  out.where = locate(emulator, comparison, stated, quick);
+  out.where = where_of(emulator, comparison, stated, options);
   for (const Unused& unused : set.unused) out.warnings.push_back(unused.id + " takes no part: " + unused.why);
   decide(out);
   return out;

@@ -29,7 +29,7 @@ const std::vector<FolderRule>& folder_rules() {
       {"scheduler/queue", {"vocab/", "digest/", "scheduler/queue/"}},
       {"scheduler/analysis", {"vocab/", "scheduler/analysis/"}},
       {"scheduler/surrogate", {"vocab/", "input/", "digest/", "scheduler/analysis/", "scheduler/surrogate/"}},
-      {"scheduler/gap", {"vocab/", "input/", "scheduler/gap/"}},
+      {"scheduler/gap", {"vocab/", "input/", "digest/", "scheduler/gap/"}},
       {"scheduler", {"vocab/", "digest/", "apparatus/", "input/", "rpc/", "regolab/v1/", "scheduler/", "store/"}},
       {"store", {"vocab/", "digest/", "store/", "schema.h"}},
       {"client", {"vocab/", "input/", "rpc/", "regolab/v1/", "client/"}},
