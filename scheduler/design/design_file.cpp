@@ -281,7 +281,7 @@ Read<Design> read_design(const DesignFiles& files, const DesignOverrides& overri
     design.repose = tests.repose;
     design.confining_stresses = std::move(tests.confining_stresses);
     design.plates = std::move(tests.plates);
-    check_distinct(design, place_of_key(*root, "array"), report);
+    if (!design.own_seeds) check_distinct(design, place_of_key(*root, "array"), report);
     check_points(design.points, place_of_key(*root, "box"), box_problem, report);
     const auto fits = [&](const Settings& settings) { return plate_problem(settings, design.plates); };
     check_points(design.points, place_of_key(*root, "penetration"), fits, report);

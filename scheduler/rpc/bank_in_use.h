@@ -1,0 +1,32 @@
+/// The bank that a request brings, or the program's own, as an emulator.
+#pragma once
+#include <memory>
+#include <mutex>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "regolab/v1/lab.pb.h"
+#include "scheduler/gap/emulator.h"
+
+namespace regolab {
+
+struct BankInUse {
+  std::shared_ptr<const gap::Emulator> emulator;
+  std::vector<Diagnostic> diagnostics;  ///< not empty: the bank cannot be read
+  std::string bank, kernels;            ///< SHA-256 of their texts
+  std::set<std::uint64_t> seeds;        ///< of its runs
+};
+
+/// Keeps the last bank that was not the program's own: a confirmation asks for it again and again. Any thread.
+class Banks {
+ public:
+  /// kFailedPrecondition: this build has no bank, or too few runs; kDataLoss: damaged kernels.
+  Result<BankInUse> of(const v1::DiagnoseRequest& request);
+
+ private:
+  std::mutex mutex_;
+  BankInUse last_;  ///< guarded by mutex_
+};
+
+}  // namespace regolab
