@@ -161,6 +161,14 @@ struct Tree {
     sub->add_flag("--assume-errors", arguments.assume_errors, "where no standard error is given, a stated default, marked in every report");
   }
 
+  /// A file of measurements, and what it is compared with.
+  void question_of(CLI::App* sub) {
+    measurements_of(sub);
+    sub->add_option("--bank", arguments.bank, "another bank than the program's own")->type_name("FILE");
+    sub->add_option("--kernels", arguments.kernels, "of that bank, as `gap emulate` wrote them")->type_name("FILE");
+    sub->add_option("--seed", arguments.random_seed, "of the sampler [1]")->type_name("N");
+  }
+
   void add_gap_verbs() {
     auto* gap = app.add_subcommand("gap", "measurements of a real material beside our own runs");
     gap->require_subcommand(1);
@@ -174,12 +182,23 @@ struct Tree {
     auto* emulate = verb(*gap, "emulate", "fit a bank's emulators, so that a diagnosis need not; minutes");
     emulate->add_option("BANK", arguments.bank, "bank.csv")->required();
     output_of(emulate);
-    auto* diagnose = verb(*gap, "diagnose", "where the simulation is wrong, which effect explains it, or none of these");
-    measurements_of(diagnose);
-    diagnose->add_option("--bank", arguments.bank, "another bank than the program's own")->type_name("FILE");
-    diagnose->add_option("--kernels", arguments.kernels, "of that bank, as `gap emulate` wrote them")->type_name("FILE");
-    diagnose->add_option("--seed", arguments.random_seed, "of the sampler [1]")->type_name("N");
+    auto* locate = verb(*gap, "locate", "only where the simulation is wrong: each group of measurements beside what the others foretell");
+    question_of(locate);
+    auto* diagnose = verb(*gap, "diagnose", "where the simulation is wrong, which effect explains it, or none of these; killed, it goes on where it was");
+    question_of(diagnose);
     diagnose->add_option("--report", arguments.output, "also as one HTML file")->type_name("FILE");
+    auto* confirm = verb(*gap, "confirm", "how far the gap shrinks: new DEM runs, measured on stress levels that the fit has not seen");
+    question_of(confirm);
+    confirm->add_option("--draws", arguments.draws, "runs of each model, drawn from its posterior [8]")->check(CLI::Range(4, 12))->type_name("N");
+    confirm->add_option("--budget", arguments.time_budget, "as many draws as fit into this time, four at least [1h]")->type_name("TIME");
+    confirm->add_option("--report", arguments.output, "also as one HTML file")->type_name("FILE");
+    workers_of(confirm);
+    verb(*gap, "ls", "diagnoses in the store");
+    auto* show = verb(*gap, "show", "a diagnosis in the store");
+    show->add_option("ID", arguments.diagnosis, "its id, the start of it, or the observation file")->required();
+    auto* report = verb(*gap, "report", "a diagnosis in the store as one HTML file that needs no script and no network");
+    report->add_option("ID", arguments.diagnosis, "its id, the start of it, or the observation file")->required();
+    report->add_option("-o,--output", arguments.output, "the file")->type_name("FILE")->required();
   }
 
   void add_article_verbs() {
