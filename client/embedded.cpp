@@ -130,7 +130,7 @@ Outcome Embedded::start_scheduler(const Options& options) {
 
 void Embedded::add_workers(unsigned count) {
   const std::lock_guard lock(mutex_);
-  for (unsigned n = 1; n <= count; ++n) {
+  while (kept_.size() < 1 + std::size_t{count}) {
     Kept worker{.name = fmt::format("regolab-worker {}", kept_.size()), .start = {}, .child = {}};
     worker.start = {
         .command = {(programs_ / "regolab-worker").string(), "serve", "--server", address_, "--exit-with-parent"},

@@ -135,6 +135,14 @@ Outcome run_diagnosis(const Arguments& arguments, const pb::DiagnoseRequest& req
   return done();
 }
 
+std::string question_words(const Arguments& arguments) {
+  std::string words = arguments.observations;
+  const auto add = [&](const char* option, const std::string& value) { words += value.empty() ? "" : std::string(" ") + option + " " + value; };
+  add("--map", arguments.map), add("--bank", arguments.bank), add("--kernels", arguments.kernels);
+  if (arguments.assume_errors) words += " --assume-errors";
+  return words;
+}
+
 Outcome gap_diagnose(const Arguments& arguments, Console& console) {
   pb::DiagnoseRequest request;
   Session session;
@@ -151,7 +159,7 @@ Outcome gap_diagnose(const Arguments& arguments, Console& console) {
     return done();
   }
   console.out << diagnosis_text(diagnosis) << std::flush;
-  if (!diagnosis.has_shrinkage() && !diagnosis.repaired().empty()) hint(arguments, console, "gap confirm " + arguments.observations);
+  if (!diagnosis.has_shrinkage() && !diagnosis.repaired().empty()) hint(arguments, console, "gap confirm " + question_words(arguments));
   return done();
 }
 

@@ -127,7 +127,7 @@ Outcome gap_locate(const Arguments& arguments, Console& console) {
   if (!last.diagnostics().empty()) return rejected(from_proto(last.diagnostics()), arguments, console);
   if (!arguments.json) {
     console.out << where_text(last.diagnosis()) << std::flush;
-    hint(arguments, console, "gap diagnose " + arguments.observations);
+    hint(arguments, console, "gap diagnose " + question_words(arguments));
     return done();
   }
   Json whole, out = document("gap-locate");

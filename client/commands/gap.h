@@ -16,6 +16,9 @@ Outcome read_measurements(const Arguments& arguments, pb::ImportRequest& request
 /// measurements that can be read. Diagnostics are printed.
 Outcome open_question(const Arguments& arguments, Console& console, pb::DiagnoseRequest& request, Session& session);
 
+/// The arguments that ask the same question of another verb: "o.csv --map m.yaml --bank b.csv".
+std::string question_words(const Arguments& arguments);
+
 /// Steps as they come, with the time left; then the diagnosis.
 Outcome run_diagnosis(const Arguments& arguments, const pb::DiagnoseRequest& request, Session& session, Console& console, pb::Diagnosis& diagnosis);
 

@@ -169,9 +169,11 @@ std::string curves_html(const pb::StoredDiagnosis& stored) {
     add(d, kVolume, level, 100, volume);
     add_curve(stored, "sigma1_at_sigma3_" + level + "kPa", 1 / sigma3, stress);
     add_curve(stored, "volumetric_strain_contraction_positive_at_sigma3_" + level + "kPa", 100, volume);
+    std::string pair;
     for (const Panel* panel : {&stress, &volume}) {
-      if (!panel->measured.empty()) figures += "<figure>" + Drawing(*panel).svg() + "</figure>";
+      if (!panel->measured.empty()) pair += "<figure>" + Drawing(*panel).svg() + "</figure>";
     }
+    if (!pair.empty()) figures += "<div class=pair>" + pair + "</div>";
   }
   if (figures.empty()) return "";
   const bool runs = d.has_shrinkage() && !d.shrinkage().features().empty();

@@ -14,7 +14,7 @@ namespace {
 constexpr const char* kStyle = R"css(
 :root{color-scheme:light dark;--ink:#1a1a1a;--paper:#fff;--line:#ddd;--quiet:#555;--base:#b84a00;--repaired:#0072b2;--plain:#f2f6fa;--gap:#fdf3ec;--open:#f5f5f5}
 @media screen and (prefers-color-scheme:dark){:root{--ink:#e6e6e6;--paper:#15181c;--line:#3a3f45;--quiet:#aaa;--base:#ff9a57;--repaired:#63b8f2;--plain:#1d252d;--gap:#2d211a;--open:#23262a}}
-body{font:16px/1.5 system-ui,sans-serif;max-width:64rem;margin:2rem auto;padding:0 1rem;color:var(--ink);background:var(--paper)}
+body{font:1rem/1.5 system-ui,sans-serif;max-width:64rem;margin:2rem auto;padding:0 1rem;color:var(--ink);background:var(--paper)}
 h1{font-size:1.5rem;margin:0}h2{font-size:1.1rem;margin:2rem 0 .5rem}
 .card{border-left:.5rem solid var(--repaired);background:var(--plain);padding:1rem 1.25rem;margin:1rem 0}
 .card.gap{border-color:var(--base);background:var(--gap)}.card.open{border-color:#999;background:var(--open)}.card h2{margin:0 0 .3rem}.card p{margin:.3rem 0}
@@ -22,14 +22,14 @@ h1{font-size:1.5rem;margin:0}h2{font-size:1.1rem;margin:2rem 0 .5rem}
 td.n,th.n{text-align:right;font-variant-numeric:tabular-nums;white-space:nowrap}
 .bar{background:var(--line);height:.8rem;min-width:6rem}.bar i{display:block;height:100%;background:var(--repaired)}.bar.z i{background:var(--base)}
 .quiet{color:var(--quiet);font-size:.9rem}.figure{font-size:2rem;font-weight:600;line-height:1.2}
-.curves{display:grid;grid-template-columns:repeat(auto-fill,minmax(17rem,1fr));gap:.5rem 1rem}figure{margin:0}
+.curves{display:grid;grid-template-columns:repeat(auto-fill,minmax(min(28rem,100%),1fr));gap:.75rem 1.5rem}.pair{display:grid;grid-template-columns:1fr 1fr;gap:.25rem}figure{margin:0}
 svg{width:100%;height:auto;font:10px system-ui,sans-serif}svg text{fill:var(--quiet)}svg .t{fill:var(--ink);font-size:11px}
 .g{stroke:var(--line);stroke-width:.6;fill:none}.c{stroke:var(--ink);stroke-width:.8;opacity:.55;fill:none}.m{stroke:var(--ink);fill:none}.md{fill:var(--ink)}
 .b{--c:var(--base)}.r{--c:var(--repaired)}.l{stroke:var(--c);stroke-width:1.6;fill:none}.l.b{stroke-dasharray:5 3}.f{fill:var(--c);opacity:.16}.d{fill:var(--paper);stroke:var(--c);stroke-width:1.4}
 .legend{display:flex;flex-wrap:wrap;gap:.3rem 1.5rem;font-size:.9rem}.key::before{content:"";display:inline-block;width:1.6rem;border-top:3px solid var(--ink);margin-right:.4rem;vertical-align:.25em}
 .key.b::before{border-top:3px dashed var(--base)}.key.r::before{border-color:var(--repaired)}
-@media print{@page{margin:15mm}body{margin:0;max-width:none;padding:0;font-size:11px;print-color-adjust:exact;-webkit-print-color-adjust:exact}h2{break-after:avoid}.card,figure,tr{break-inside:avoid}
-.curves{grid-template-columns:repeat(3,1fr)}.wide{overflow:visible}td,th{padding:.15rem .4rem}}
+@media print{@page{margin:15mm}html{font-size:9.5px}svg,svg .t{font-size:13px}body{margin:0;max-width:none;padding:0;print-color-adjust:exact;-webkit-print-color-adjust:exact}h2{break-after:avoid}.card,.pair,tr{break-inside:avoid}
+.curves{grid-template-columns:1fr 1fr}.wide{overflow:visible}td,th{padding:.15rem .4rem}}
 )css";
 
 std::string bar(double share, const char* kind = "") {
@@ -39,7 +39,10 @@ std::string bar(double share, const char* kind = "") {
 std::string card(const pb::Diagnosis& d) {
   const bool open = d.verdict() == "CANNOT TELL" || d.verdict() == "ONE OF";
   std::string lines;
-  for (const std::string& line : diagnosis_lines(d)) lines += fmt::format("<p>{}</p>", html_escaped(line));
+  for (const std::string& line : diagnosis_lines(d)) {
+    const std::size_t end = line.find(' ');  // of its first word, which says what it answers
+    lines += fmt::format("<p><b>{}</b>{}</p>", html_escaped(line.substr(0, end)), html_escaped(line.substr(std::min(end, line.size()))));
+  }
   return fmt::format("<div class=\"card {}\"><h1>{}</h1>{}</div>", open ? "open" : d.verdict() == "NO GAP" ? "" : "gap", html_escaped(d.verdict()), lines);
 }
 

@@ -12,7 +12,7 @@ std::string percent(double share) { return fmt::format("{:.0f}", 100 * share); }
 
 std::string interval_of(const pb::Shrinkage& s) {
   if (!s.has_q95()) return "";
-  return fmt::format(" ({} to {} %)", s.has_q05() ? percent(s.q05()) : "below any", percent(s.q95()));
+  return fmt::format(" (shrinkage {} to {} %)", s.has_q05() ? percent(s.q05()) : "below any", percent(s.q95()));
 }
 
 std::string number(double value, double error) { return fmt::format("{:.4g} ±{:.2g}", value, error); }
@@ -24,7 +24,8 @@ std::string shrinkage_line(const pb::Diagnosis& d) {
   const pb::Shrinkage& s = d.shrinkage();
   if (!s.has_s()) return "not printed: " + s.undefined();
   const std::string promise = s.has_emulator_s() ? fmt::format("; the emulator promised {} %", percent(s.emulator_s())) : "";
-  return fmt::format("by {} %{} with {}, in {} new runs of each model on {}, which the fit had not seen{}", percent(s.s()), interval_of(s), s.model(), s.draws(), joined(s.heldout()), promise);
+  const std::string how_far = s.s() < 0 ? fmt::format("not: it grows by {} %", percent(-s.s())) : fmt::format("by {} %", percent(s.s()));
+  return fmt::format("{}{} with {}, in {} new runs of each model on {}, which the fit had not seen{}", how_far, interval_of(s), s.model(), s.draws(), joined(s.heldout()), promise);
 }
 
 std::string shrinkage_text(const pb::Diagnosis& d) {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cctype>
 #include <charconv>
+#include <optional>
 
 #include "input/field.h"
 #include "scheduler/gap/quantities.h"
@@ -43,12 +44,20 @@ const v1::WeighedModel* model_of(const v1::Diagnosis& d, const std::string& name
   return found == d.models().end() ? nullptr : &*found;
 }
 
-std::vector<Column> columns_of(const v1::Diagnosis& d, const v1::WeighedModel& base, const v1::WeighedModel* repaired, int first, int draws) {
+/// What the experimenter states exactly is run so, even where the bank ends a little before it.
+std::optional<double> stated_exactly(const gap::ObservationSet& set, const std::string& name) {
+  if (name == "L_S" && set.material.nominal_max_size) return set.material.nominal_max_size;
+  if (name == "gravity" && set.protocol.gravity) return set.protocol.gravity;
+  const auto known = set.material.micro.find(name);
+  return known == set.material.micro.end() || known->second.standard_error.value_or(0) > 0 ? std::nullopt : std::optional(known->second.value);
+}
+
+std::vector<Column> columns_of(const v1::Diagnosis& d, const gap::ObservationSet& set, const v1::WeighedModel& base, const v1::WeighedModel* repaired, int first, int draws) {
   std::vector<Column> out;
   for (int a = 0; a < d.axes_size(); ++a) {
     Column column{d.axes(a), find_field(d.axes(a)), {}};
     for (const v1::WeighedModel* model : {&base, repaired}) {
-      for (int k = first; model && k < first + draws; ++k) column.values.push_back(model->draws(k).values_si(a));
+      for (int k = first; model && k < first + draws; ++k) column.values.push_back(stated_exactly(set, d.axes(a)).value_or(model->draws(k).values_si(a)));
     }
     out.push_back(std::move(column));
   }
@@ -105,7 +114,7 @@ Result<v1::SubmitRequest> confirmation_design(const v1::Diagnosis& d, const gap:
   const v1::WeighedModel *base = model_of(d, "none"), *repaired = repaired_model(d);
   if (!base || d.held_out_pa().empty()) return Error{Code::kFailedPrecondition, "nothing to confirm (this diagnosis held nothing out) confirm the observation file"};
   if (first < 0 || draws < 1 || first + draws > base->draws_size()) return invalid("draws " + std::to_string(first) + " and on (a diagnosis keeps " + std::to_string(base->draws_size()) + ") ask for fewer");
-  std::vector<Column> columns = columns_of(d, *base, repaired, first, draws);
+  std::vector<Column> columns = columns_of(d, set, *base, repaired, first, draws);
   if (const auto odd = std::ranges::find(columns, nullptr, &Column::field); odd != columns.end()) {
     return Error{Code::kFailedPrecondition, "the bank's " + odd->name + " cannot be run (no parameter of a design is called so) use a bank of designs"};
   }
