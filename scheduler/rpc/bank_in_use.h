@@ -1,5 +1,6 @@
 /// The bank that a request brings, or the program's own, as an emulator.
 #pragma once
+#include <map>
 #include <memory>
 #include <mutex>
 #include <set>
@@ -16,6 +17,7 @@ struct BankInUse {
   std::vector<Diagnostic> diagnostics;  ///< not empty: the bank cannot be read
   std::string bank, kernels;            ///< SHA-256 of their texts
   std::set<std::uint64_t> seeds;        ///< of its runs
+  std::map<std::string, double> constants;  ///< of the material, the same in every run [SI]
 };
 
 /// Keeps the last bank that was not the program's own: a confirmation asks for it again and again. Any thread.

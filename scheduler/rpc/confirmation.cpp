@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cctype>
 #include <charconv>
+#include <map>
 #include <optional>
 
 #include "input/field.h"
@@ -14,7 +15,6 @@
 namespace regolab {
 namespace {
 
-constexpr double kBankGrainDensity = 2930;       // [kg/m3] of every run of the bank
 constexpr double kMostParticles = 2000;          // more are a laboratory's: runs of that size would take days
 constexpr std::uint64_t kSeedsFrom = 1'000'000, kSeedsUpTo = 1'000'000'000'000, kSeedsOfOne = 64;
 
@@ -48,6 +48,7 @@ const v1::WeighedModel* model_of(const v1::Diagnosis& d, const std::string& name
 std::optional<double> stated_exactly(const gap::ObservationSet& set, const std::string& name) {
   if (name == "L_S" && set.material.nominal_max_size) return set.material.nominal_max_size;
   if (name == "gravity" && set.protocol.gravity) return set.protocol.gravity;
+  if (name == "particle_density" && set.material.grain_density) return set.material.grain_density->value;
   const auto known = set.material.micro.find(name);
   return known == set.material.micro.end() || known->second.standard_error.value_or(0) > 0 ? std::nullopt : std::optional(known->second.value);
 }
@@ -133,10 +134,11 @@ Result<v1::SubmitRequest> confirmation_design(const v1::Diagnosis& d, const gap:
     if (!any && c == 0) table = columns[c].heading() + "\n" + columns[c].cell(columns[c].values.front()) + "\n";
     else if (!columns[c].varies()) fixed += (fixed.empty() ? "" : ", ") + columns[c].fixed();
   }
-  const auto has = [&](const char* name) { return std::ranges::find(d.axes(), name) != d.axes().end(); };
-  const auto add = [&](const std::string& line) { fixed += (fixed.empty() ? "" : ", ") + line; };
-  if (!has("particle_density")) add("particle_density: " + exact(set.material.grain_density ? set.material.grain_density->value : kBankGrainDensity) + " kg/m3");
-  if (!has("gravity") && set.protocol.gravity) add("gravity: " + exact(*set.protocol.gravity) + " m/s2");
+  const std::map<std::string, double> constants(d.constants_si().begin(), d.constants_si().end());  // in a fixed order
+  for (const auto& [name, value] : constants) {
+    const Field* field = find_field(name);
+    if (field) fixed += (fixed.empty() ? "" : ", ") + Column{name, field, {stated_exactly(set, name).value_or(value)}}.fixed();
+  }
   for (const double sigma3 : d.held_out_pa()) stresses += (stresses.empty() ? "" : ", ") + gap::kilopascals(sigma3) + " kPa";
   v1::SubmitRequest out;
   const std::string name = fmt::format("confirm-{}-{}-{}-{}", plain(d.case_name()), d.id().substr(0, 6), first + 1, first + draws);

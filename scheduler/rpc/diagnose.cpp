@@ -104,6 +104,7 @@ grpc::Status GapsService::Diagnose(grpc::ServerContext* context, const v1::Diagn
     add_provenance((*book)->record(), options.smc.seed, out);
     add_held_out(q.held_out, out);
     add_fits(*q.bank.emulator, q.set, *found, q.held_out, out);
+    for (const auto& [name, value] : q.bank.constants) (*out.mutable_constants_si())[name] = value;
     if (request->hold_out()) out.set_first_seed(first_seed_of((*book)->record().id, q.bank.seeds));
     if (auto kept = (*book)->end(out); !kept.ok()) return to_grpc(kept.error());
   }
