@@ -42,8 +42,8 @@ Result<std::vector<double>> held_out_sigma3(std::span<const Feature> features) {
   }
   const std::vector<double> all(levels.begin(), levels.end());
   if (all.size() < 2) {
-    return Error{Code::kFailedPrecondition, "nothing can be held out (stress tests at " + std::to_string(all.size()) +
-                                                " confining stresses; what confirms must not be what was fitted) measure a second one"};
+    return Error{Code::kFailedPrecondition, "nothing can be held out (stress tests at " + std::string(all.empty() ? "no confining stress" : "one confining stress only") +
+                                                "; what confirms must not be what was fitted) measure a second one"};
   }
   const std::string digest = digest_of(features);
   std::vector<double> held;

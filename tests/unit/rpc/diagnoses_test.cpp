@@ -16,6 +16,7 @@ using testing::HasSubstr;
 
 struct Diagnoses : test::ServiceTest {
   std::string kernels;
+  int workers = 0;  ///< so far: each has a name of its own
 
   void SetUp() override {
     static std::string fitted;  // once: it is the slow part
@@ -61,7 +62,7 @@ struct Diagnoses : test::ServiceTest {
     v1::SubmitReply submitted;
     EXPECT_TRUE(client->call(*client->experiments, &v1::Experiments::Stub::Submit, planned.design(), &submitted).ok());
     EXPECT_TRUE(submitted.diagnostics().empty()) << submitted.diagnostics(0).text();
-    const Worker worker{*this, "w", {.duration_s = 0}};
+    const Worker worker{*this, "w" + std::to_string(++workers), {.duration_s = 0}};
     client->wait(submitted.experiment());
     return submitted.experiment();
   }
