@@ -55,7 +55,8 @@ struct Tree {
   CLI::App* verb(CLI::App& parent, const std::string& name, const std::string& what) {
     CLI::App* sub = parent.add_subcommand(name, what);
     sub->fallthrough();
-    const std::string full = &parent == &app ? name : parent.get_name() + " " + name;
+    std::string full = name;
+    for (const CLI::App* above = &parent; above != &app; above = above->get_parent()) full = above->get_name() + " " + full;
     sub->final_callback([this, full] { arguments.verb = full; });
     return sub;
   }
@@ -164,8 +165,7 @@ struct Tree {
   /// A file of measurements, and what it is compared with.
   void question_of(CLI::App* sub) {
     measurements_of(sub);
-    sub->add_option("--bank", arguments.bank, "another bank than the program's own")->type_name("FILE");
-    sub->add_option("--kernels", arguments.kernels, "of that bank, as `gap emulate` wrote them")->type_name("FILE");
+    bank_of(sub);
     sub->add_option("--seed", arguments.random_seed, "of the sampler [1]")->type_name("N");
   }
 
@@ -199,6 +199,35 @@ struct Tree {
     auto* report = verb(*gap, "report", "a diagnosis in the store as one HTML file that needs no script and no network");
     report->add_option("ID", arguments.diagnosis, "its id, the start of it, or the observation file")->required();
     report->add_option("-o,--output", arguments.output, "the file")->type_name("FILE")->required();
+    add_blind_verbs(*gap);
+  }
+
+  void bank_of(CLI::App* sub) {
+    sub->add_option("--bank", arguments.bank, "another bank than the program's own")->type_name("FILE");
+    sub->add_option("--kernels", arguments.kernels, "of that bank, as `gap emulate` wrote them")->type_name("FILE");
+  }
+
+  void add_blind_verbs(CLI::App& gap) {
+    auto* blind = gap.add_subcommand("blind", "check the diagnosis on cases whose truth is withheld: make, solve, reveal");
+    blind->require_subcommand(1);
+    blind->fallthrough();
+    const auto folder_of = [this](CLI::App* sub) { sub->add_option("DIR", arguments.folder, "folder of the set")->required(); };
+    const auto key_of = [this](CLI::App* sub) { sub->add_option("--key", arguments.key, "file with the key of the truths, outside DIR [DIR.key]")->type_name("FILE"); };
+    const auto only_of = [this](CLI::App* sub) { sub->add_option("--only", arguments.only, "so many cases now; call again for more")->check(CLI::Range(1, 100000))->type_name("N"); };
+    auto* make = verb(*blind, "make", "draw truths, commit to them, run them in DEM, write what was measured; goes on where it stopped");
+    folder_of(make), key_of(make), only_of(make), workers_of(make);
+    make->add_option("--cases", arguments.cases, "main cases: effects, nulls, unknowns, pairs [96]")->check(CLI::Range(0, 100000))->type_name("N");
+    make->add_option("--nulls", arguments.nulls, "extra nulls [60]")->check(CLI::Range(0, 100000))->type_name("N");
+    make->add_option("--specimens", arguments.specimens, "of each case [3]")->check(CLI::Range(1, 100))->type_name("K");
+    make->add_option("--seed", arguments.random_seed, "a DEVELOPMENT set from this number, marked so everywhere, never a record")
+        ->each([this](const std::string&) { arguments.development = true; })
+        ->type_name("N");
+    auto* solve = verb(*blind, "solve", "answer each case from its observation file alone, in a process that can read nothing else");
+    folder_of(solve), only_of(solve), bank_of(solve);
+    solve->add_option("--jobs", arguments.jobs, "solvers at a time [2]")->check(CLI::Range(1, 256))->type_name("N");
+    auto* reveal = verb(*blind, "reveal", "open the truths, check every commitment, score the answers, write the record");
+    folder_of(reveal), key_of(reveal), bank_of(reveal);
+    reveal->add_flag("--partial", arguments.partial, "although some cases have no answer; those stay sealed");
   }
 
   void add_article_verbs() {
@@ -337,6 +366,7 @@ Parsed parse(const std::vector<std::string>& words) {
     return mistake("--csv and --json together (one form at a time) leave one of them out");
   if (arguments.article && !arguments.experiment.empty())
     return mistake("--article with an experiment (one table at a time) leave one of them out");
+  arguments.own_database = tree.database->count() > 0;
   if (arguments.database.empty()) return mistake("--db is empty (a file name is wanted) write --db FILE");
   arguments.colour = tree.colour == "always"  ? ColourChoice::kAlways
                      : tree.colour == "never" ? ColourChoice::kNever

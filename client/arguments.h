@@ -59,6 +59,15 @@ struct Arguments {
   unsigned draws = 8;                    ///< of `gap confirm`, of each model
   std::string time_budget = "1h";        ///< of `gap confirm`
 
+  std::string folder;                ///< of `gap blind`: DIR
+  std::string key;                   ///< its key's file; empty = beside DIR
+  bool own_database = false;         ///< --db was given
+  unsigned cases = 96, nulls = 60, specimens = 3;
+  bool development = false;          ///< from random_seed instead of entropy
+  unsigned only = 0;                 ///< so many cases now; 0 = all
+  unsigned jobs = 2;                 ///< solvers at a time
+  bool partial = false;
+
   std::string original_line;  ///< the words after the verb, for "type this again"
 };
 

@@ -128,9 +128,9 @@ Outcome Embedded::start_scheduler(const Options& options) {
   return done();
 }
 
-void Embedded::add_workers(unsigned count) {
+void Embedded::have_workers(unsigned count) {
   const std::lock_guard lock(mutex_);
-  while (kept_.size() < 1 + std::size_t{count}) {
+  while (kept_.size() < count + 1U) {  // the first is the scheduler
     Kept worker{.name = fmt::format("regolab-worker {}", kept_.size()), .start = {}, .child = {}};
     worker.start = {
         .command = {(programs_ / "regolab-worker").string(), "serve", "--server", address_, "--exit-with-parent"},

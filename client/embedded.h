@@ -31,8 +31,8 @@ class Embedded {
   Embedded& operator=(const Embedded&) = delete;
 
   const std::string& address() const { return address_; }
-  /// Until there are so many: a session that runs one study after the other keeps its workers.
-  void add_workers(unsigned count);
+  /// Starts those that are not there yet.
+  void have_workers(unsigned count);
 
   /// Stopped when a child is beyond help; failure() then says why.
   std::stop_token broken() const { return broken_.get_token(); }

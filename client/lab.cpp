@@ -96,6 +96,7 @@ struct Lab::Stubs {
   std::unique_ptr<pb::Results::Stub> results;
   std::unique_ptr<pb::Surrogates::Stub> surrogates;
   std::unique_ptr<pb::Gaps::Stub> gaps;
+  std::unique_ptr<pb::Blind::Stub> blind;
 };
 
 Lab::Lab(Options options) : options_(std::move(options)), stubs_(std::make_unique<Stubs>()) {
@@ -110,6 +111,7 @@ Lab::Lab(Options options) : options_(std::move(options)), stubs_(std::make_uniqu
   stubs_->results = pb::Results::NewStub(stubs_->channel);
   stubs_->surrogates = pb::Surrogates::NewStub(stubs_->channel);
   stubs_->gaps = pb::Gaps::NewStub(stubs_->channel);
+  stubs_->blind = pb::Blind::NewStub(stubs_->channel);
 }
 
 Lab::~Lab() = default;
@@ -276,6 +278,29 @@ Outcome Lab::plan_confirmation(const pb::PlanRequest& request, pb::PlanReply& re
 
 Outcome Lab::measure_shrinkage(const pb::ShrinkageRequest& request, pb::StoredDiagnosis& reply) {
   return unary([&](auto& context) { return stubs_->gaps->MeasureShrinkage(&context, request, &reply); }, kFitLimit);
+}
+
+Outcome Lab::draw_blind(const pb::BlindDrawRequest& request, pb::BlindDrawReply& reply) {
+  return unary([&](auto& context) { return stubs_->blind->Draw(&context, request, &reply); });
+}
+
+Outcome Lab::design_blind(const pb::BlindTruth& request, pb::BlindDesignReply& reply) {
+  return unary([&](auto& context) { return stubs_->blind->Design(&context, request, &reply); });
+}
+
+Outcome Lab::observe_blind(const pb::BlindObserveRequest& request, pb::BlindObserveReply& reply) {
+  return unary([&](auto& context) { return stubs_->blind->Observe(&context, request, &reply); });
+}
+
+Outcome Lab::score_blind(const std::vector<pb::BlindScoreRequest>& messages, pb::BlindScoreReply& reply) {
+  grpc::ClientContext context;  // minutes where a bank is fitted first: no deadline
+  const Cancelling cancelling(context, options_.stops);
+  const auto stream = stubs_->blind->Score(&context, &reply);
+  for (const auto& message : messages) {
+    if (!stream->Write(message)) break;  // Finish says why
+  }
+  stream->WritesDone();
+  return outcome_of(stream->Finish(), options_.address);
 }
 
 Outcome Lab::train_functions(const std::string& experiment, std::uint64_t seed, pb::TrainFunctionsReply& reply) {

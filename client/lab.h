@@ -50,6 +50,11 @@ class Lab {
   Outcome diagnosis(const pb::GetDiagnosisRequest& request, pb::StoredDiagnosis& reply);
   Outcome plan_confirmation(const pb::PlanRequest& request, pb::PlanReply& reply);
   Outcome measure_shrinkage(const pb::ShrinkageRequest& request, pb::StoredDiagnosis& reply);
+  Outcome draw_blind(const pb::BlindDrawRequest& request, pb::BlindDrawReply& reply);
+  Outcome design_blind(const pb::BlindTruth& request, pb::BlindDesignReply& reply);
+  Outcome observe_blind(const pb::BlindObserveRequest& request, pb::BlindObserveReply& reply);
+  /// The bank first, then the cases.
+  Outcome score_blind(const std::vector<pb::BlindScoreRequest>& messages, pb::BlindScoreReply& reply);
   /// Until the model is stored; `last` is the event that carries it.
   Outcome train(const pb::TrainRequest& request, const std::function<void(const pb::TrainEvent&)>& on_event, pb::TrainEvent& last);
 

@@ -75,9 +75,10 @@ Outcome Child::start(const Start& start) {
     return failed(Exit::kInternal, fmt::format("cannot make a pipe ({}) close some files", std::strerror(errno)));
   }
   SpawnSetup setup;
-  posix_spawn_file_actions_addopen(&setup.files, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
+  posix_spawn_file_actions_addopen(&setup.files, STDIN_FILENO, start.input.c_str(), O_RDONLY, 0);
   posix_spawn_file_actions_addopen(&setup.files, STDERR_FILENO, start.log.c_str(), O_WRONLY | O_CREAT | O_APPEND, 0600);
-  posix_spawn_file_actions_adddup2(&setup.files, start.pipe_stdout ? ends[1] : STDERR_FILENO, STDOUT_FILENO);
+  if (start.output.empty()) posix_spawn_file_actions_adddup2(&setup.files, start.pipe_stdout ? ends[1] : STDERR_FILENO, STDOUT_FILENO);
+  else posix_spawn_file_actions_addopen(&setup.files, STDOUT_FILENO, start.output.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
 
   std::vector<char*> arguments;
   for (const std::string& word : start.command) arguments.push_back(const_cast<char*>(word.c_str()));

@@ -23,6 +23,8 @@ class Child {
     std::vector<std::string> command;  ///< [0] is the program's path
     std::filesystem::path log;         ///< stderr is appended here, and stdout unless it is piped
     bool pipe_stdout = false;
+    std::filesystem::path input = "/dev/null";  ///< its stdin
+    std::filesystem::path output = {};          ///< its stdout goes there, made anew; REQUIRES: not piped
   };
 
   Child() = default;

@@ -16,8 +16,6 @@
 namespace regolab::client {
 namespace {
 
-constexpr std::size_t kLargestBank = 16 << 20;  // [bytes]
-
 Json strength_json(const pb::EffectStrength& s) {
   return {{"effect", s.effect()}, {"unit", s.unit_si()}, {"median", s.median()}, {"q05", s.low_05()}, {"q95", s.high_95()}};
 }
@@ -72,9 +70,6 @@ void add_diagnosis(const pb::Diagnosis& d, Json& out) {
                        {"diagnosis", d.id()}, {"kernels", d.kernels()}, {"method", d.method()}};
 }
 
-namespace {
-
-/// The files of another bank than the program's own.
 Outcome read_bank_files(const Arguments& arguments, pb::DiagnoseRequest& request) {
   std::string text;
   if (!arguments.bank.empty()) {
@@ -87,8 +82,6 @@ Outcome read_bank_files(const Arguments& arguments, pb::DiagnoseRequest& request
   }
   return done();
 }
-
-}  // namespace
 
 Outcome gap_emulate(const Arguments& arguments, Console& console) {
   std::string text;

@@ -28,4 +28,9 @@ void add_diagnosis(const pb::Diagnosis& diagnosis, Json& out);
 /// The report of a stored diagnosis.
 Outcome write_report(const std::string& id, const std::string& file, Session& session);
 
+inline constexpr std::size_t kLargestBank = 16 << 20;  ///< [bytes]
+
+/// The files of another bank than the program's own, as a diagnosis takes them.
+Outcome read_bank_files(const Arguments& arguments, pb::DiagnoseRequest& request);
+
 }  // namespace regolab::client

@@ -28,7 +28,7 @@ Outcome work(const Arguments& arguments, const std::string& experiment, Session&
     }
     if (auto got = session.lab->get(experiment, last); !got.ok()) return session.explain(got);
     if (has_ended(last)) return done();
-    if (session.embedded) session.embedded->add_workers(worker_count(arguments));
+    if (session.embedded) session.embedded->have_workers(worker_count(arguments));
     const Outcome outcome = session.explain(follow(*session.lab, experiment, options, console, last));
     if (!borrowed || outcome.exit != Exit::kUnreachable) return outcome;
     console.err << "the other regolab has ended; going on without it\n";

@@ -1,7 +1,10 @@
 #include "scheduler/gap/comparison.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
+
+#include "scheduler/gap/between_codes.h"
 
 namespace regolab::gap {
 namespace {
@@ -11,8 +14,6 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 constexpr double kBankParticles = 300;
-// What two codes may differ by in a feature, in standard deviations of one run of ours: the same in every hypothesis.
-constexpr double kBetweenCodes = 0.3;
 
 double log_student(double distance2, double log_det, Index q) {
   const auto n = static_cast<double>(q);
@@ -25,7 +26,7 @@ double variance_of(const Feature& f, double own_noise, double size_ratio) {
   const double n = std::max(1, f.repeats), expected = own_noise * size_ratio / n, given = f.standard_error * f.standard_error;
   const double own_freedom = f.assumed ? 0 : n - 1;
   const double pooled = n > 1 || f.assumed ? (kPriorFreedom * expected + own_freedom * given) / (kPriorFreedom + own_freedom) : std::max(given, expected);
-  return (f.assumed ? std::max(pooled, given) : pooled) + kBetweenCodes * kBetweenCodes * own_noise;
+  return f.assumed ? std::max(pooled, given) : pooled;
 }
 
 }  // namespace
@@ -33,18 +34,31 @@ double variance_of(const Feature& f, double own_noise, double size_ratio) {
 Comparison compare(const Emulator& emulator, const ObservationSet& set) {
   Comparison out;
   const double size_ratio = std::min(1.0, kBankParticles / set.specimen.particles.value_or(kBankParticles));
-  std::vector<double> y, variance;
+  std::vector<double> y, variance, own;
   for (const Feature& f : features_of(readings_of(set))) {
     const int at = emulator.feature(f.id);
     if (at < 0) continue;
     out.feature.push_back(at);
     out.measured.push_back(f);
     y.push_back(f.value);
+    own.push_back(std::sqrt(emulator.noise()[at]));
     variance.push_back(variance_of(f, emulator.noise()[at], size_ratio));
   }
   out.y = Eigen::Map<const VectorXd>(y.data(), static_cast<Index>(y.size()));
   out.variance = Eigen::Map<const VectorXd>(variance.data(), static_cast<Index>(variance.size()));
+  const VectorXd sd = Eigen::Map<const VectorXd>(own.data(), out.size());
+  out.variance += kAlone * kAlone * sd.cwiseAbs2();
   out.correlation = emulator.correlation()(out.feature, out.feature);
+  out.error_correlation = emulator.error_correlation()(out.feature, out.feature);
+  out.between_codes = sd.asDiagonal() * between_codes(out.measured);
+  return out;
+}
+
+MatrixXd Comparison::covariance(const VectorXd& emulator_variance) const {
+  const VectorXd sd = variance.cwiseSqrt(), wrong = emulator_variance.cwiseSqrt();
+  MatrixXd out = between_codes * between_codes.transpose();
+  out += sd.asDiagonal() * correlation * sd.asDiagonal();
+  out += wrong.asDiagonal() * error_correlation * wrong.asDiagonal();
   return out;
 }
 
@@ -53,22 +67,9 @@ Comparison Comparison::subset(const std::vector<Index>& kept) const {
   for (const Index k : kept) out.feature.push_back(feature[static_cast<std::size_t>(k)]), out.measured.push_back(measured[static_cast<std::size_t>(k)]);
   out.y = y(kept), out.variance = variance(kept);
   out.correlation = correlation(kept, kept);
+  out.error_correlation = error_correlation(kept, kept);
+  out.between_codes = between_codes(kept, Eigen::all);
   return out;
-}
-
-StudentT::StudentT(const MatrixXd& correlation) {
-  const Eigen::LLT<MatrixXd> factor(correlation);
-  inverse_ = factor.solve(MatrixXd::Identity(correlation.rows(), correlation.cols()));
-  log_det_ = 2 * factor.matrixLLT().diagonal().array().log().sum();
-}
-
-double StudentT::distance2(const VectorXd& off, const VectorXd& sd) const {
-  const VectorXd z = off.cwiseQuotient(sd);
-  return z.dot(inverse_ * z);
-}
-
-double StudentT::log_density(const VectorXd& off, const VectorXd& sd) const {
-  return log_student(distance2(off, sd), log_det_ + 2 * sd.array().log().sum(), off.size());
 }
 
 double student_t_log_density(const VectorXd& off, const MatrixXd& covariance) {

@@ -12,10 +12,14 @@ struct Comparison {
   std::vector<Eigen::Index> feature;  // [q] of the emulator
   std::vector<Feature> measured;      // [q]
   Eigen::VectorXd y;                  // [q]
-  Eigen::VectorXd variance;           // [q] of the measured mean: its own error, seeds, and what codes differ by
-  Eigen::MatrixXd correlation;        // [q][q]
+  Eigen::VectorXd variance;           // [q] of the measured mean: its own error and seeds
+  Eigen::MatrixXd correlation;        // [q][q] of those
+  Eigen::MatrixXd error_correlation;  // [q][q] of the emulator's errors
+  Eigen::MatrixXd between_codes;      // [q][r] what codes differ by, a column for features that differ together
 
   Eigen::Index size() const { return y.size(); }
+  /// Of measured less predicted, where the emulator says `emulator_variance` of its means. [q][q]
+  Eigen::MatrixXd covariance(const Eigen::VectorXd& emulator_variance) const;
   /// The same without some of its features (or with only some).
   Comparison subset(const std::vector<Eigen::Index>& kept) const;
 };
@@ -25,18 +29,7 @@ struct Comparison {
 inline constexpr double kPriorFreedom = 6;
 Comparison compare(const Emulator& emulator, const ObservationSet& set);
 
-/// Log density of a multivariate Student t whose covariance is S C S: S diagonal (`sd`), C of the comparison.
-struct StudentT {
-  explicit StudentT(const Eigen::MatrixXd& correlation);
-  double log_density(const Eigen::VectorXd& off, const Eigen::VectorXd& sd) const;
-  /// Squared Mahalanobis distance.
-  double distance2(const Eigen::VectorXd& off, const Eigen::VectorXd& sd) const;
-
- private:
-  Eigen::MatrixXd inverse_;  ///< of C
-  double log_det_;
-};
-/// Of a covariance given whole.
+/// Log density of a multivariate Student t.
 double student_t_log_density(const Eigen::VectorXd& off, const Eigen::MatrixXd& covariance);
 inline constexpr double kFreedom = 8;  ///< of the t: one wild feature must not decide
 

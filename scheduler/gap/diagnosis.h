@@ -28,11 +28,12 @@ struct Draw {
   std::vector<double> values;    // [n_axes] SI
   std::vector<double> strength;  // [n_causes] of the model, in the order of Weighed::strength
 };
+inline constexpr std::string_view kReadByAGauge = "_measured";  ///< ends the name of a lateral stress offset that is no secret
 inline constexpr int kDraws = 12;  ///< kept of each model
 
 struct Weighed {
-  std::string model;  ///< "none", an effect's name, "unknown"
-  std::string cause;  ///< its class
+  std::string model;  ///< "none", an effect's name, "a+b", "unknown"
+  std::string cause;  ///< its class, "a+b" of a pair
   double log_z = 0, log_z_error = 0, probability = 0;
   std::vector<Strength> strength;
   std::vector<Draw> draws;  ///< kDraws of its posterior
@@ -51,6 +52,8 @@ struct GroupGap {
 struct Isolability {
   std::string effect;
   double sigma = 0;                  ///< standard deviations that no calibration absorbs, median over the prior
+  double least = 0;                  ///< strength that these measurements notice [SI of the effect]
+  bool seen = true;                  ///< false: not even the strongest of the prior is noticed
   std::string twin;                  ///< the effect whose pattern is most alike
   double cosine = 0;
 };

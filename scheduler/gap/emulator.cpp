@@ -5,6 +5,7 @@
 #include <map>
 #include <numeric>
 
+#include "scheduler/gap/covariances.h"
 #include "scheduler/gap/repeats.h"
 
 namespace regolab::gap {
@@ -16,6 +17,8 @@ using Eigen::VectorXd;
 
 constexpr std::size_t kFewestMaterials = 20;
 constexpr std::size_t kFewestOfEffect = 8;
+constexpr double kLeastError = 0.1;       // of one run's variance: below, the difference of two estimates is chance
+constexpr double kErrorShrinkage = 0.1;
 
 /// Features that one kernel serves: they answer to the same parameters.
 int family_of(const FeatureInfo& f) {
@@ -61,11 +64,15 @@ bool complete(const MatrixXd& y, Index row, const std::vector<Index>& members) {
 }
 
 /// Rows of a sample that hold every member.
-Sample part_of(const MatrixXd& x, const MatrixXd& y, const VectorXd& weight, const std::vector<Index>& members) {
+std::vector<Index> rows_with(const std::vector<Index>& members, const MatrixXd& y) {
   std::vector<Index> rows;
   for (Index i = 0; i < y.rows(); ++i) {
     if (complete(y, i, members)) rows.push_back(i);
   }
+  return rows;
+}
+
+Sample part_of(const MatrixXd& x, const MatrixXd& y, const VectorXd& weight, const std::vector<Index>& rows, const std::vector<Index>& members) {
   return {x(rows, Eigen::all), y(rows, members), VectorXd(weight(rows))};
 }
 
@@ -115,7 +122,6 @@ Result<Emulator> Emulator::from(const Bank& bank, const std::vector<Kernel>& ker
                                                 std::to_string(kFewestMaterials) + ") run more"};
   }
   out.noise_ = base.noise, out.correlation_ = base.correlation;
-  out.misfit_ = VectorXd::Zero(out.noise_.size());
   std::size_t used = 0;
   const auto process = [&](Sample sample, const Groups& groups) {
     const Kernel kernel = used < kernels.size() ? kernels[used] : fit_kernel(sample, groups);
@@ -123,13 +129,16 @@ Result<Emulator> Emulator::from(const Bank& bank, const std::vector<Kernel>& ker
     return std::make_shared<const SharedGp>(std::move(sample), kernel);
   };
   const auto families = families_of(out.features_);
+  MatrixXd residual = MatrixXd::Constant(base.mean.rows(), base.mean.cols(), NAN), foretold = residual;
   for (const auto& members : families) {
-    Family family{members, process(part_of(out.space_.scaled(base.values), base.mean, base.weight, members), out.space_.groups())};
-    for (std::size_t k = 0; k < members.size(); ++k) {
-      out.misfit_[members[k]] = std::max(0.0, family.gp->noise()[static_cast<Index>(k)] - out.noise_[members[k]]);
-    }
+    const auto rows = rows_with(members, base.mean);
+    Family family{members, process(part_of(out.space_.scaled(base.values), base.mean, base.weight, rows, members), out.space_.groups())};
+    const Predicted left_out = family.gp->leave_one_out();
+    residual(rows, members) = base.mean(rows, members) - left_out.mean.transpose();
+    foretold(rows, members) = left_out.variance.transpose();
     out.base_.push_back(std::move(family));
   }
+  out.judge(residual, foretold, base.weight.mean());
   std::vector<EffectRuns> runs(out.causes_.size());
   for (const BankRow& row : bank.rows) {
     const int cause = cause_of(bank, row, out.causes_);
@@ -156,7 +165,7 @@ Result<Emulator> Emulator::from(const Bank& bank, const std::vector<Kernel>& ker
     }
     Effect effect;
     for (const auto& members : families) {
-      Sample sample = part_of(x, shift, weight, members);
+      Sample sample = part_of(x, shift, weight, rows_with(members, shift), members);
       if (static_cast<std::size_t>(sample.y.rows()) < kFewestOfEffect) continue;
       effect.families.push_back({members, process(std::move(sample), out.space_.groups(1))});
     }
@@ -165,6 +174,18 @@ Result<Emulator> Emulator::from(const Bank& bank, const std::vector<Kernel>& ker
   }
   out.causes_ = std::move(known);
   return out;
+}
+
+/// What the processes get wrong about materials left out, seeds apart: variance that they did not foretell becomes misfit, and errors of
+/// several features that go together are counted once. residual, foretold: [n_materials][p]; runs: behind each material's mean.
+void Emulator::judge(const MatrixXd& residual, const MatrixXd& foretold, double runs) {
+  const VectorXd seeds = noise_ / runs;
+  const VectorXd sd = seeds.cwiseSqrt();
+  const MatrixXd wrong = paired_covariance(residual) - sd.asDiagonal() * correlation_ * sd.asDiagonal();
+  const MatrixXd filled = foretold.array().isFinite().select(foretold, 0.0);
+  const VectorXd expected = (filled.colwise().sum().array() / foretold.array().isFinite().cast<double>().colwise().sum().max(1.0)).transpose();
+  misfit_ = (wrong.diagonal() - expected).cwiseMax(0.0);
+  error_correlation_ = sound_correlation(wrong, wrong.diagonal().cwiseMax(kLeastError * noise_), kErrorShrinkage);
 }
 
 Predicted Emulator::predict(const MatrixXd& values, std::span<const Use> uses) const {

@@ -40,6 +40,7 @@ class Emulator {
   Predicted predict(const Eigen::MatrixXd& values, std::span<const Use> uses = {}) const;
   const Eigen::VectorXd& noise() const { return noise_; }                ///< [p] variance of one run, of repeats
   const Eigen::MatrixXd& correlation() const { return correlation_; }   ///< [p][p] of what seeds do
+  const Eigen::MatrixXd& error_correlation() const { return error_correlation_; }  ///< [p][p] of what the emulator gets wrong itself
   std::vector<Kernel> kernels() const;  ///< in an order of their own, for `from`
 
  private:
@@ -58,7 +59,9 @@ class Emulator {
   std::vector<Effect> effects_;  ///< of causes_
   Eigen::VectorXd noise_;
   Eigen::VectorXd misfit_;       ///< [p] variance that the base processes leave beyond the seeds' own
-  Eigen::MatrixXd correlation_;
+  Eigen::MatrixXd correlation_, error_correlation_;
+
+  void judge(const Eigen::MatrixXd& residual, const Eigen::MatrixXd& foretold, double runs);
 };
 
 }  // namespace regolab::gap

@@ -38,6 +38,10 @@ const Weighed* base_of(const Diagnosis& d) {
   return found == d.models.end() ? nullptr : &*found;
 }
 
+double read_by_gauge(const std::string& model, double strength, const FeatureInfo& feature) {
+  return model.ends_with(kReadByAGauge) && feature.id.starts_with("sigma3_measured_ratio") ? strength / feature.group.sigma3 : 0;
+}
+
 Predicted emulated(const Emulator& emulator, const Weighed& model, const std::vector<Index>& features) {
   const auto n = static_cast<Index>(model.draws.size());
   MatrixXd values(static_cast<Index>(emulator.space().size()), n);
@@ -49,7 +53,12 @@ Predicted emulated(const Emulator& emulator, const Weighed& model, const std::ve
     for (std::size_t c = 0; c < uses.size(); ++c) uses[c].strength[k] = draw.strength[c];
   }
   const Predicted all = emulator.predict(values, uses);
-  return {all.mean(features, Eigen::all), all.variance(features, Eigen::all)};
+  Predicted out{all.mean(features, Eigen::all), all.variance(features, Eigen::all)};
+  for (Index f = 0; f < out.mean.rows() && !uses.empty(); ++f) {
+    const FeatureInfo& info = emulator.features()[static_cast<std::size_t>(features[static_cast<std::size_t>(f)])];
+    for (Index k = 0; k < n; ++k) out.mean(f, k) += read_by_gauge(model.model, uses.front().strength[k], info);
+  }
+  return out;
 }
 
 std::vector<FeatureFit> fits_of(const Emulator& emulator, const Comparison& comparison, const Diagnosis& diagnosis) {

@@ -12,6 +12,9 @@ const Weighed* repaired_by(const Diagnosis& diagnosis);
 /// The base model, re-calibrated. Null in a diagnosis that was never weighed.
 const Weighed* base_of(const Diagnosis& diagnosis);
 
+/// What a gauge beside the controller adds to a feature, where the model says that it shows the lateral stress offset.
+double read_by_gauge(const std::string& model, double strength, const FeatureInfo& feature);
+
 /// The emulator's means of some features at a model's draws, and the variance it gives them. [q][n_draws]
 Predicted emulated(const Emulator& emulator, const Weighed& model, const std::vector<Eigen::Index>& features);
 

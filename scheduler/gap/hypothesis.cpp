@@ -28,9 +28,25 @@ double normal_quantile(double u) {
 
 }  // namespace
 
+StrengthRange StrengthRange::of(const Cause& cause, double least) {
+  const double low = cause.effect->prior_low, high = cause.effect->prior_high;
+  if (low >= 0) return {std::clamp(least, low, high), high, low, std::clamp(least, low, high), cause.effect->logarithmic};
+  return {low, high, std::max(low, -least), std::min(high, least), false};
+}
+
+double StrengthRange::at(double u) const {
+  if (logarithmic) return low * std::pow(high / low, u);
+  if (low >= 0) return low + (high - low) * u;
+  const double negative = below - low, at = u * (negative + high - above);
+  return at < negative ? low + at : above + (at - negative);
+}
+
 Likelihood::Likelihood(const Emulator& emulator, const Comparison& comparison, const Hypothesis& hypothesis, std::map<std::string, Stated> stated,
                        const MatrixXd& library)
-    : emulator_(emulator), comparison_(comparison), hypothesis_(hypothesis), stated_(std::move(stated)), density_(comparison.correlation), library_(library) {
+    : emulator_(emulator), comparison_(comparison), hypothesis_(hypothesis), stated_(std::move(stated)), library_(library) {
+  for (std::size_t k = hypothesis_.strength.size(); k < hypothesis_.causes.size(); ++k) {
+    hypothesis_.strength.push_back(StrengthRange::of(emulator.causes()[hypothesis_.causes[k]]));
+  }
   const auto& axes = emulator.space().axes;
   for (std::size_t k = 0; k < axes.size(); ++k) {
     const auto known = stated_.find(axes[k].name);
@@ -62,29 +78,34 @@ MatrixXd Likelihood::values(const MatrixXd& u) const {
 }
 
 VectorXd Likelihood::strength(const MatrixXd& u, std::size_t k) const {
-  const Cause& cause = emulator_.causes()[hypothesis_.causes[k]];
-  return u.row(static_cast<Index>(free_.size() + k)).transpose().unaryExpr([&](double share) { return cause.strength(share); });
+  const StrengthRange& range = hypothesis_.strength[k];
+  return u.row(static_cast<Index>(free_.size() + k)).transpose().unaryExpr([&](double share) { return range.at(share); });
 }
 
 Predicted Likelihood::predict(const MatrixXd& u) const {
   std::vector<Use> uses;
   for (std::size_t k = 0; k < hypothesis_.causes.size(); ++k) uses.push_back({hypothesis_.causes[k], strength(u, k)});
   const Predicted all = emulator_.predict(values(u), uses);
-  return {all.mean(comparison_.feature, Eigen::all), all.variance(comparison_.feature, Eigen::all)};
+  Predicted out{all.mean(comparison_.feature, Eigen::all), all.variance(comparison_.feature, Eigen::all)};
+  if (hypothesis_.offset_read) {
+    for (Index k = 0; k < out.mean.rows(); ++k) {
+      const Group& group = comparison_.measured[static_cast<std::size_t>(k)].group;
+      if (comparison_.measured[static_cast<std::size_t>(k)].id.starts_with("sigma3_measured_ratio")) out.mean.row(k) += strength(u, 0).transpose() / group.sigma3;
+    }
+  }
+  return out;
 }
 
 VectorXd Likelihood::operator()(const MatrixXd& u) const {
   const Predicted p = predict(u);
   VectorXd out(u.cols());
   for (Index i = 0; i < u.cols(); ++i) {
-    const VectorXd off = comparison_.y - p.mean.col(i), sd = (comparison_.variance + p.variance.col(i)).cwiseSqrt();
-    if (!hypothesis_.unknown) {
-      out[i] = density_.log_density(off, sd);
-      continue;
+    MatrixXd covariance = comparison_.covariance(p.variance.col(i));
+    if (hypothesis_.unknown) {
+      const double share = std::min(u(u.rows() - 1, i), 0.999), size = std::min(kMostUnknown, kUnknownScale * std::tan(0.5 * std::numbers::pi * share));
+      covariance += size * size * library_;
     }
-    const double share = std::min(u(u.rows() - 1, i), 0.999), size = std::min(kMostUnknown, kUnknownScale * std::tan(0.5 * std::numbers::pi * share));
-    const MatrixXd own = sd.asDiagonal() * comparison_.correlation * sd.asDiagonal();
-    out[i] = student_t_log_density(off, own + size * size * library_);
+    out[i] = student_t_log_density(comparison_.y - p.mean.col(i), covariance);
   }
   return out;
 }
@@ -92,9 +113,9 @@ VectorXd Likelihood::operator()(const MatrixXd& u) const {
 MatrixXd library_covariance(const Emulator& emulator, const Comparison& comparison, const std::map<std::string, Stated>& stated, std::uint64_t seed) {
   const auto q = comparison.size();
   MatrixXd sum = MatrixXd::Zero(q, q);
-  const Likelihood base(emulator, comparison, {"none", {}, false}, stated);
+  const Likelihood base(emulator, comparison, {"none", {}, false, {}}, stated);
   for (std::size_t c = 0; c < emulator.causes().size(); ++c) {
-    const Likelihood with(emulator, comparison, {"", {c}, false}, stated);
+    const Likelihood with(emulator, comparison, {"", {c}, false, {}}, stated);
     MatrixXd u(with.parameters(), kLibraryDraws);
     for (Index i = 0; i < u.cols(); ++i) {
       for (Index d = 0; d < u.rows(); ++d) {

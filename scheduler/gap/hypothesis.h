@@ -8,10 +8,23 @@
 
 namespace regolab::gap {
 
+/// Where the strength of an effect may lie. What the measurements at hand cannot notice is left out: a prior that reaches down to nothing
+/// would make every effect look like none [Johnson and Rossell 2010, doi 10.1111/j.1467-9868.2009.00730.x].
+struct StrengthRange {
+  double low = 0, high = 0;  ///< [SI of the effect]
+  double below = 0, above = 0;  ///< nothing between them counts
+  bool logarithmic = false;
+
+  static StrengthRange of(const Cause& cause, double least = 0);
+  double at(double u) const;  ///< u in [0, 1]
+};
+
 struct Hypothesis {
-  std::string name;                   ///< "none", an effect's, "a+b", "unknown"
-  std::vector<std::size_t> causes;    ///< of the emulator
+  std::string name;                    ///< "none", an effect's, "a+b", "unknown"
+  std::vector<std::size_t> causes;     ///< of the emulator
   bool unknown = false;
+  std::vector<StrengthRange> strength; ///< of the causes; empty: their whole priors
+  bool offset_read = false;            ///< a lateral stress offset shows in the measured sigma3: a gauge beside the controller's
 };
 
 /// A micro-parameter that the experimenter states.
@@ -42,7 +55,6 @@ class Likelihood {
   Hypothesis hypothesis_;
   std::map<std::string, Stated> stated_;
   std::vector<std::size_t> free_;  ///< axes that u holds
-  StudentT density_;
   Eigen::MatrixXd library_;
 };
 

@@ -43,13 +43,13 @@ std::vector<GroupGap> locate(const Emulator& emulator, const Comparison& compari
     }
     if (rest.empty()) continue;
     const Comparison others = comparison.subset(rest), own = comparison.subset(members);
-    const Likelihood fit(emulator, others, {"none", {}, false}, stated);
+    const Likelihood fit(emulator, others, {"none", {}, false, {}}, stated);
     const Posterior posterior = sample_posterior(fit, fit.parameters(), smc);
-    const Likelihood look(emulator, own, {"none", {}, false}, stated);
+    const Likelihood look(emulator, own, {"none", {}, false, {}}, stated);
     const Predicted p = look.predict(posterior.u);
-    const VectorXd mean = p.mean.rowwise().mean(), sd = (own.variance + p.variance.rowwise().mean()).cwiseSqrt();
+    const VectorXd mean = p.mean.rowwise().mean();
     const MatrixXd centred = p.mean.colwise() - mean;
-    const MatrixXd covariance = MatrixXd(sd.asDiagonal() * own.correlation * sd.asDiagonal()) + centred * centred.transpose() / static_cast<double>(p.mean.cols());
+    const MatrixXd covariance = own.covariance(p.variance.rowwise().mean()) + centred * centred.transpose() / static_cast<double>(p.mean.cols());
     const VectorXd off = own.y - mean;
     const double distance2 = off.dot(Eigen::LLT<MatrixXd>(covariance).solve(off)), n = static_cast<double>(members.size());
     Index worst = 0;

@@ -19,6 +19,8 @@ constexpr double kRoot5 = 2.23606797749978969;
 constexpr double kJitter = 1e-8;
 // Priors, in logarithms: mean and standard deviation. An input that does nothing gets a long length instead of a fit.
 constexpr double kLengthMean = 0.7, kLengthSpread = 1.3, kTrendMean = -2, kTrendSpread = 2, kNoiseMean = -3, kNoiseSpread = 3;
+constexpr Index kBlock = 64;   // points that are predicted together: what they need stays in the cache
+constexpr double kUntold = 1;  // effective runs, of all: directions that noise hides take no part in variances
 constexpr double kLeastNoise = -9, kMostNoise = 4;
 
 VectorXd inverse_lengths(const Kernel& kernel) {
@@ -117,6 +119,10 @@ SharedGp::SharedGp(Sample sample, Kernel kernel) : sample_(std::move(sample)), k
   const VectorXd root = sample_.weight.cwiseSqrt();
   vectors_ = root.asDiagonal() * spectrum.vectors;
   values_ = spectrum.values;
+  const double quiet = std::exp(*std::ranges::min_element(kernel_.log_noise));
+  first_told_ = 0;
+  double left = 0;
+  while (first_told_ + 1 < values_.size() && (left += values_[first_told_] / (values_[first_told_] + quiet)) < kUntold) ++first_told_;
   const MatrixXd z = vectors_.transpose() * y;
   const Index n = y.rows(), p = y.cols();
   amplitude_.resize(p), noise_.resize(p), alpha_.resize(n, p);
@@ -130,17 +136,21 @@ SharedGp::SharedGp(Sample sample, Kernel kernel) : sample_(std::move(sample)), k
 }
 
 Predicted SharedGp::predict(const MatrixXd& x) const {
-  const MatrixXd k = covariance(kernel_, sample_.x, x);  // [n][m]
-  Predicted out{(alpha_.transpose() * k), MatrixXd(alpha_.cols(), x.rows())};
-  out.mean.array().colwise() *= scale_.array();
-  out.mean.colwise() += centre_;
-  const MatrixXd v2 = (vectors_.transpose() * k).array().square();
+  Predicted out{MatrixXd(alpha_.cols(), x.rows()), MatrixXd(alpha_.cols(), x.rows())};
+  for (Index first = 0; first < x.rows(); first += kBlock) predict_block(x, first, std::min(kBlock, x.rows() - first), out);
+  return out;
+}
+
+void SharedGp::predict_block(const MatrixXd& all, Index first, Index n, Predicted& out) const {
+  const MatrixXd x = all.middleRows(first, n), k = covariance(kernel_, sample_.x, x);  // [n_rows][n]
+  out.mean.middleCols(first, n) = ((alpha_.transpose() * k).array().colwise() * scale_.array()).colwise() + centre_.array();
+  const Index told = values_.size() - first_told_;
+  const MatrixXd v2 = (vectors_.rightCols(told).transpose() * k).array().square();
   const Eigen::RowVectorXd prior = prior_variance(kernel_, x).transpose();
   for (Index j = 0; j < out.variance.rows(); ++j) {
-    const VectorXd inverse = (values_.array() + std::exp(kernel_.log_noise[static_cast<std::size_t>(j)])).inverse();
-    out.variance.row(j) = ((prior - inverse.transpose() * v2).cwiseMax(0.0)) * (amplitude_[j] * scale_[j] * scale_[j]);
+    const VectorXd inverse = (values_.tail(told).array() + std::exp(kernel_.log_noise[static_cast<std::size_t>(j)])).inverse();
+    out.variance.row(j).segment(first, n) = ((prior - inverse.transpose() * v2).cwiseMax(0.0)) * (amplitude_[j] * scale_[j] * scale_[j]);
   }
-  return out;
 }
 
 Predicted SharedGp::leave_one_out() const {

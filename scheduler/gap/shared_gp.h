@@ -45,13 +45,16 @@ class SharedGp {
   const Sample& sample() const { return sample_; }
 
  private:
+  void predict_block(const Eigen::MatrixXd& all, Eigen::Index first, Eigen::Index n, Predicted& out) const;
+
   Sample sample_;
   Kernel kernel_;
   Eigen::VectorXd centre_, scale_;  // [n_outputs] of y
   Eigen::VectorXd amplitude_;       // [n_outputs] variance of the smooth part, of scaled outputs
   Eigen::VectorXd noise_;
   Eigen::MatrixXd vectors_;         // [n][n] of W^1/2 K W^1/2, times W^1/2
-  Eigen::VectorXd values_;          // [n]
+  Eigen::VectorXd values_;          // [n] ascending
+  Eigen::Index first_told_ = 0;     // of values_: those before it hardly lower a variance
   Eigen::MatrixXd alpha_;           // [n][n_outputs]
 };
 

@@ -1,5 +1,7 @@
 /// Confirmation: what is to be run, and what the runs say.
+#include <algorithm>
 #include <cmath>
+#include <span>
 
 #include "scheduler/gap/fit.h"
 #include "scheduler/gap/held_out.h"
@@ -67,20 +69,18 @@ struct Runs {
   std::vector<std::string> experiments;
 };
 
-void append(const std::vector<std::map<std::string, double>>& rows, std::size_t from, std::size_t to, const gap::Comparison& held, MatrixXd& runs) {
-  for (std::size_t r = from; r < to; ++r) {
+/// model: of the rows, whose first is its draw `draw`.
+void append(std::span<const std::map<std::string, double>> rows, const v1::WeighedModel* model, int draw, const gap::Comparison& held, MatrixXd& runs) {
+  for (const auto& row : rows) {
+    const double strength = model && model->strength_size() > 0 ? model->draws(draw++).strengths_si(0) : 0;
     runs.conservativeResize(held.size(), runs.cols() + 1);
     for (Index f = 0; f < held.size(); ++f) {
-      const auto found = rows[r].find(held.measured[static_cast<std::size_t>(f)].id);
-      runs(f, runs.cols() - 1) = found == rows[r].end() ? NAN : found->second;
+      const std::string& id = held.measured[static_cast<std::size_t>(f)].id;
+      const auto found = row.find(id);
+      const double shown = model ? gap::read_by_gauge(model->model(), strength, *gap::feature_info(id)) : 0;
+      runs(f, runs.cols() - 1) = found == row.end() ? NAN : found->second + shown;
     }
   }
-}
-
-/// Covariance of the measurement's errors.
-MatrixXd covariance_of(const gap::Comparison& c) {
-  const VectorXd sd = c.variance.cwiseSqrt();
-  return sd.asDiagonal() * c.correlation * sd.asDiagonal();
 }
 
 gap::Level level_of(const MatrixXd& runs, Index feature, std::uint32_t& count) {
@@ -120,7 +120,7 @@ double root(double squared) { return std::sqrt(std::max(0.0, squared)); }
 std::optional<double> promised(const gap::Emulator& emulator, const gap::Comparison& held, const gap::Target& target, const v1::Diagnosis& d, Index draws) {
   const v1::WeighedModel* repaired = repaired_model(d);
   const auto means = [&](const std::string& name) {
-    gap::Weighed model;
+    gap::Weighed model{.model = name, .cause = {}, .strength = {}, .draws = {}};
     const auto found = std::ranges::find_if(d.models(), [&](const auto& m) { return m.model() == name; });
     for (const auto& s : found->strength()) model.strength.push_back({.effect = s.effect(), .unit = s.unit_si()});
     for (const auto& draw : found->draws()) {
@@ -142,7 +142,7 @@ v1::Shrinkage measured(const gap::Emulator& emulator, const gap::Comparison& hel
     out.set_undefined("no run of either model has a held-out number (see the stages of its experiments)");
     return out;
   }
-  const gap::Target target{held.y, covariance_of(held)};
+  const gap::Target target{held.y, held.covariance(VectorXd::Zero(held.size()))};
   const bool repaired = runs.repaired.cols() > 0;
   const gap::SquaredGap base = gap::squared_gap(target, runs.base, d.first_seed());
   out.set_base_gap(root(base.value)), out.set_base_gap_noise_95(root(base.noise_95));
@@ -226,8 +226,10 @@ grpc::Status GapsService::MeasureShrinkage(grpc::ServerContext* context, const v
     if (!asked.ok()) return to_grpc(asked.error());
     const auto rows = features_of_round(*reader, label);
     if (!rows.ok()) return to_grpc(rows.error());
-    append(*rows, 0, draws, held, runs.base);
-    append(*rows, draws, rows->size(), held, runs.repaired);
+    const std::span all_rows(*rows);
+    if (all_rows.size() < draws) return to_grpc({Code::kFailedPrecondition, "runs are missing (experiment " + label + " has fewer rows than draws) submit it again"});
+    append(all_rows.first(draws), nullptr, first, held, runs.base);
+    append(all_rows.subspan(draws), repaired_model(known->diagnosis), first, held, runs.repaired);
     runs.experiments.push_back(label);
     first += static_cast<int>(draws);
   }

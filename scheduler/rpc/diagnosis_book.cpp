@@ -44,7 +44,7 @@ std::string observations_digest(const v1::ImportRequest& m) {
   return digest_of({m.content(), m.map_name().empty() ? "" : "map", m.map(), m.assume_errors() ? "errors assumed" : ""});
 }
 
-DiagnosisRecord diagnosis_record(const v1::DiagnoseRequest& request, const BankInUse& bank, const std::string& case_name, const std::string& held_out) {
+DiagnosisRecord diagnosis_record(const v1::DiagnoseRequest& request, const HeldBank& bank, const std::string& case_name, const std::string& held_out) {
   DiagnosisRecord r{.case_name = case_name, .observations = observations_digest(request.measurements()), .bank = bank.bank, .kernels = bank.kernels,
                     .method = std::string(gap::method_digest()), .options = options_json(request), .held_out = held_out,
                     .measurements = request.measurements().SerializeAsString(), .result = {}, .shrinkage = {}};

@@ -6,7 +6,7 @@
 
 #include "regolab/v1/lab.pb.h"
 #include "scheduler/gap/steps.h"
-#include "scheduler/rpc/bank_in_use.h"
+#include "scheduler/rpc/bank_cache.h"
 #include "scheduler/rpc/desk.h"
 #include "store/reader.h"
 
@@ -16,7 +16,7 @@ namespace regolab {
 std::string observations_digest(const v1::ImportRequest& measurements);
 
 /// The row that a request asks for, found or to be made. `held_out`: groups left out of the fit.
-DiagnosisRecord diagnosis_record(const v1::DiagnoseRequest& request, const BankInUse& bank, const std::string& case_name, const std::string& held_out);
+DiagnosisRecord diagnosis_record(const v1::DiagnoseRequest& request, const HeldBank& bank, const std::string& case_name, const std::string& held_out);
 
 /// One diagnosis under way. What it writes goes through the desk; reads have a connection of their own.
 class DiagnosisBook {

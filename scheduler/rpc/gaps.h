@@ -5,7 +5,7 @@
 
 #include "regolab/v1/lab.grpc.pb.h"
 #include "scheduler/gap/observation.h"
-#include "scheduler/rpc/bank_in_use.h"
+#include "scheduler/rpc/bank_cache.h"
 #include "scheduler/rpc/desk.h"
 
 namespace regolab {
@@ -29,13 +29,13 @@ class GapsService final : public v1::Gaps::Service {
   struct Question {
     gap::ObservationSet set, fitted;
     std::vector<double> held_out;  ///< [Pa]
-    BankInUse bank;
+    HeldBank bank;
   };
   Result<std::optional<Question>> read(const v1::DiagnoseRequest& request, v1::DiagnoseEvent& event);
 
   Desk& desk_;
   const std::string database_;
-  Banks banks_;
+  BankCache banks_;
 };
 
 }  // namespace regolab

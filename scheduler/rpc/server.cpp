@@ -10,6 +10,7 @@
 
 #include "scheduler/rpc/address.h"
 #include "scheduler/rpc/artifacts.h"
+#include "scheduler/rpc/blind.h"
 #include "scheduler/rpc/experiments.h"
 #include "scheduler/rpc/gaps.h"
 #include "scheduler/rpc/results.h"
@@ -25,7 +26,7 @@ constexpr std::chrono::seconds kPatience{2};
 
 struct Server::State {
   State(std::unique_ptr<Desk> opened, const std::string& database)
-      : desk(std::move(opened)), hub(*desk), pool(*desk), artifacts(*desk), experiments(*desk, hub), results(database), surrogates(*desk, database), gaps(*desk, database) {}
+      : desk(std::move(opened)), hub(*desk), pool(*desk), artifacts(*desk), experiments(*desk, hub), results(database), surrogates(*desk, database), gaps(*desk, database), blind(database) {}
 
   std::unique_ptr<Desk> desk;
   WatchHub hub;
@@ -35,6 +36,7 @@ struct Server::State {
   ResultsService results;
   SurrogatesService surrogates;
   GapsService gaps;
+  BlindService blind;
   std::unique_ptr<grpc::Server> server;
   std::string address;
 };
@@ -70,6 +72,7 @@ Result<std::unique_ptr<Server>> Server::start(ServerOptions options) {
   builder.RegisterService(&state->results);
   builder.RegisterService(&state->surrogates);
   builder.RegisterService(&state->gaps);
+  builder.RegisterService(&state->blind);
   state->server = builder.BuildAndStart();
   if (!state->server || port == 0) {
     return Error{Code::kAlreadyExists,

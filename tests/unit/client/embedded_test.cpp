@@ -84,7 +84,7 @@ TEST_F(EmbeddedTest, AKilledWorkerIsStartedAgain) {
   program("regolab-worker", "echo $$ >> " + (folder_ / "pids").string() + "; exec sleep 100\n");
   std::unique_ptr<Embedded> embedded;
   ASSERT_TRUE(Embedded::start(options(), embedded).ok());
-  embedded->add_workers(1);
+  embedded->have_workers(1);
   ASSERT_TRUE(eventually([&] { return !counted("pids").empty(); }));
   kill(std::stoi(counted("pids")), SIGKILL);
   EXPECT_TRUE(eventually([&] {
@@ -113,7 +113,7 @@ TEST_F(EmbeddedTest, WorkersAreAskedToLeaveBeforeTheScheduler) {
   program("regolab-worker", named("worker") + "echo up > " + (folder_ / "up").string() + "\nwhile :; do sleep 0.05; done\n");
   std::unique_ptr<Embedded> embedded;
   ASSERT_TRUE(Embedded::start(options(), embedded).ok());
-  embedded->add_workers(1);
+  embedded->have_workers(1);
   ASSERT_TRUE(eventually([&] { return !counted("up").empty(); }));
   embedded.reset();
   EXPECT_EQ(counted("order"), "worker\nscheduler\n");

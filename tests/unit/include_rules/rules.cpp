@@ -11,6 +11,7 @@ const std::vector<FolderRule>& folder_rules() {
   static const std::vector<FolderRule> rules{
       {"proto/vocab", {"vocab/"}},
       {"proto/digest", {"vocab/", "digest/"}},
+      {"proto/seal", {"vocab/", "seal/"}},
       {"proto/input", {"vocab/", "input/"}},
       {"proto/apparatus", {"vocab/", "apparatus/"}},
       {"proto/rpc", {"vocab/", "rpc/", "regolab/v1/"}},
@@ -30,9 +31,11 @@ const std::vector<FolderRule>& folder_rules() {
       {"scheduler/analysis", {"vocab/", "scheduler/analysis/"}},
       {"scheduler/surrogate", {"vocab/", "input/", "digest/", "scheduler/analysis/", "scheduler/surrogate/"}},
       {"scheduler/gap", {"vocab/", "input/", "digest/", "scheduler/gap/"}},
+      {"scheduler/gap/blind", {"vocab/", "input/", "digest/", "apparatus/", "scheduler/gap/"}},
+      {"scheduler/solver", {"vocab/", "input/", "digest/", "scheduler/gap/", "scheduler/solver/"}},
       {"scheduler", {"vocab/", "digest/", "apparatus/", "input/", "rpc/", "regolab/v1/", "scheduler/", "store/"}},
       {"store", {"vocab/", "digest/", "store/", "schema.h"}},
-      {"client", {"vocab/", "input/", "rpc/", "regolab/v1/", "client/"}},
+      {"client", {"vocab/", "input/", "digest/", "seal/", "rpc/", "regolab/v1/", "client/"}},
   };
   return rules;
 }

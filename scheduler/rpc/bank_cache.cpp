@@ -1,9 +1,10 @@
-#include "scheduler/rpc/bank_in_use.h"
+#include "scheduler/rpc/bank_cache.h"
 
 #include <algorithm>
 
 #include "digest/sha256.h"
 #include "input/field.h"
+#include "scheduler/gap/bank_in_use.h"
 #include "scheduler/gap/kernels.h"
 
 namespace regolab {
@@ -26,39 +27,35 @@ std::map<std::string, double> constants_of(const gap::Bank& bank) {
   return constants;
 }
 
-Result<BankInUse> shipped() {
+/// What runs a bank has, beside what they measured.
+void describe(const gap::Bank& bank, HeldBank& out) { out.seeds = seeds_of(bank), out.constants = constants_of(bank); }
+
+Result<HeldBank> shipped() {
   const auto& own = gap::shipped_emulator();
   if (!own.ok()) return own.error();
-  BankInUse out{.emulator = std::shared_ptr<const gap::Emulator>(std::shared_ptr<const void>(), &*own), .diagnostics = {}, .seeds = {}, .constants = {}};
+  HeldBank out{.emulator = std::shared_ptr<const gap::Emulator>(std::shared_ptr<const void>(), &*own), .diagnostics = {}, .seeds = {}, .constants = {}};  // lives as long as the program
   const std::string bank(gap::shipped_bank());
   out.bank = sha256_hex(bank), out.kernels = sha256_hex(gap::shipped_kernels());
-  if (const auto read = gap::read_bank("bank.csv", bank); read.value) out.seeds = seeds_of(*read.value), out.constants = constants_of(*read.value);
+  if (const auto read = gap::read_bank("bank.csv", bank); read.value) describe(*read.value, out);
   return out;
 }
 
-Result<BankInUse> read(const v1::DiagnoseRequest& request) {
-  BankInUse out{.emulator = {}, .diagnostics = {}, .bank = sha256_hex(request.bank_csv()), .kernels = sha256_hex(request.kernels_json()), .seeds = {}, .constants = {}};
-  auto bank = gap::read_bank(request.bank_name(), request.bank_csv());
-  out.diagnostics = std::move(bank.diagnostics);
-  if (!bank.value) return out;
-  out.seeds = seeds_of(*bank.value), out.constants = constants_of(*bank.value);
-  std::vector<gap::Kernel> kernels;
-  if (!request.kernels_json().empty()) {
-    auto from_file = gap::kernels_from_json(request.kernels_json());
-    if (!from_file.ok()) return from_file.error();
-    kernels = std::move(*from_file);
-  }
-  auto emulator = gap::Emulator::from(*bank.value, kernels);
-  if (!emulator.ok()) return emulator.error();
-  out.emulator = std::make_shared<const gap::Emulator>(std::move(*emulator));
+Result<HeldBank> read(const v1::DiagnoseRequest& request) {
+  HeldBank out{.emulator = {}, .diagnostics = {}, .bank = sha256_hex(request.bank_csv()), .kernels = sha256_hex(request.kernels_json()), .seeds = {}, .constants = {}};
+  gap::BankInUse in_use = gap::bank_in_use(request.bank_name(), request.bank_csv(), request.kernels_json());
+  out.diagnostics = std::move(in_use.diagnostics);
+  if (!out.diagnostics.empty()) return out;
+  if (!in_use.emulator().ok()) return in_use.emulator().error();
+  out.emulator = std::make_shared<const gap::Emulator>(std::move(**in_use.own));
+  if (const auto bank = gap::read_bank(request.bank_name(), request.bank_csv()); bank.value) describe(*bank.value, out);
   return out;
 }
 
 }  // namespace
 
-Result<BankInUse> Banks::of(const v1::DiagnoseRequest& request) {
+Result<HeldBank> BankCache::of(const v1::DiagnoseRequest& request) {
   if (request.bank_csv().empty()) {
-    static const Result<BankInUse> own = shipped();
+    static const Result<HeldBank> own = shipped();
     return own;
   }
   {

@@ -12,7 +12,7 @@
 
 namespace regolab {
 
-struct BankInUse {
+struct HeldBank {
   std::shared_ptr<const gap::Emulator> emulator;
   std::vector<Diagnostic> diagnostics;  ///< not empty: the bank cannot be read
   std::string bank, kernels;            ///< SHA-256 of their texts
@@ -21,14 +21,14 @@ struct BankInUse {
 };
 
 /// Keeps the last bank that was not the program's own: a confirmation asks for it again and again. Any thread.
-class Banks {
+class BankCache {
  public:
   /// kFailedPrecondition: this build has no bank, or too few runs; kDataLoss: damaged kernels.
-  Result<BankInUse> of(const v1::DiagnoseRequest& request);
+  Result<HeldBank> of(const v1::DiagnoseRequest& request);
 
  private:
   std::mutex mutex_;
-  BankInUse last_;  ///< guarded by mutex_
+  HeldBank last_;  ///< guarded by mutex_
 };
 
 }  // namespace regolab

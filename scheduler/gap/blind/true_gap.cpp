@@ -1,0 +1,86 @@
+#include "scheduler/gap/blind/true_gap.h"
+
+#include <algorithm>
+#include <map>
+
+#include "scheduler/gap/tangent.h"
+#include "vocab/units.h"
+
+namespace regolab::gap {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+double choice_number(const std::string& name) {
+  static const std::map<std::string, double> kNumbers{{"2", 2}, {"4", 4}, {"6", 6}, {"mixture", 12}, {"none", 0}, {"x", 1}, {"z", 2}, {"xz", 3}};
+  const auto found = kNumbers.find(name);
+  return found == kNumbers.end() ? 0 : found->second;
+}
+
+/// The truth in the unit cube of the base model, which has the axes that nobody states exactly.
+VectorXd place_of(const BlindMaterial& m, const Space& space, const std::map<std::string, Stated>& stated) {
+  const std::map<std::string, double> si{{"theta_F", m.friction_deg * kDegree}, {"K_N", m.normal_stiffness}, {"eta_N", m.normal_damping},
+                                         {"K_T", m.tangential_stiffness}, {"eta_T", m.tangential_damping}, {"L_S", m.largest_cm / 100},
+                                         {"gravity", m.gravity}, {"N_E", choice_number(m.elements)}, {"rotation", choice_number(m.rotation)}};
+  std::vector<double> out;
+  for (const Axis& axis : space.axes) {
+    const auto known = stated.find(axis.name);
+    if (known != stated.end() && known->second.standard_error == 0) continue;
+    const double value = si.at(axis.name);
+    const auto n = static_cast<double>(axis.choices.size());
+    const auto which = static_cast<double>(std::ranges::find(axis.choices, value) - axis.choices.begin());
+    out.push_back(std::clamp(axis.is_choice() ? (which + 0.5) / n : (value - axis.low) / (axis.high - axis.low), 0.0, 1 - 1e-9));
+  }
+  return Eigen::Map<const VectorXd>(out.data(), static_cast<Index>(out.size()));
+}
+
+StrengthRange exactly(double strength) { return {.low = strength, .high = strength, .below = 0, .above = 0, .logarithmic = true}; }
+
+/// The group whose features a shift moves most, in standard deviations that calibration leaves.
+std::string most_moved(const Comparison& comparison, const VectorXd& shift, const MatrixXd& covariance) {
+  std::map<Group, std::vector<Index>> groups;
+  for (std::size_t k = 0; k < comparison.measured.size(); ++k) groups[comparison.measured[k].group].push_back(static_cast<Index>(k));
+  double most = -1;
+  std::string out;
+  for (const auto& [group, members] : groups) {
+    const VectorXd own = shift(members);
+    const double distance2 = own.dot(Eigen::LLT<MatrixXd>(covariance(members, members)).solve(own));
+    if (distance2 > most) most = distance2, out = group.text();
+  }
+  return out;
+}
+
+}  // namespace
+
+std::optional<TrueGap> true_gap(const Emulator& emulator, const ObservationSet& set, const Truth& truth) {
+  Hypothesis all{.name = "", .causes = {}};
+  for (const auto& [name, strength] : truth.effects) {
+    const auto cause = std::ranges::find(emulator.causes(), find_effect(name), &Cause::effect);
+    if (cause == emulator.causes().end()) return std::nullopt;
+    all.causes.push_back(static_cast<std::size_t>(cause - emulator.causes().begin()));
+    all.strength.push_back(exactly(strength));
+  }
+  const Comparison comparison = compare(emulator, set);
+  if (all.causes.empty() || comparison.size() == 0) return std::nullopt;
+  const auto stated = stated_in(set, emulator.space());
+  const Likelihood base(emulator, comparison, {.name = "none", .causes = {}}, stated);
+  const VectorXd at = place_of(truth.material, emulator.space(), stated);
+  const Tangent tangent(base, comparison, at);
+  const auto left = [&](const Hypothesis& with) -> VectorXd {
+    VectorXd u(at.size() + static_cast<Index>(with.causes.size()));
+    u << at, VectorXd::Constant(static_cast<Index>(with.causes.size()), 0.5);
+    return tangent.left(tangent.whitened(Likelihood(emulator, comparison, with, stated).predict(u).mean - tangent.mean()));
+  };
+  TrueGap out{.isolability = INFINITY, .moved = {}};
+  for (std::size_t k = 0; k < all.causes.size(); ++k) {
+    out.isolability = std::min(out.isolability, left({.name = "", .causes = {all.causes[k]}, .strength = {all.strength[k]}}).norm());
+  }
+  const MatrixXd covariance = comparison.covariance(base.predict(at).variance.col(0));
+  const MatrixXd lower = Eigen::LLT<MatrixXd>(covariance).matrixL();
+  out.moved = most_moved(comparison, lower * left(all), covariance);
+  return out;
+}
+
+}  // namespace regolab::gap

@@ -1,0 +1,126 @@
+#include "scheduler/gap/verdict.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace regolab::gap {
+namespace {
+
+// Prior probabilities; single effects share what is left by class, so that a class with two ways to be has no more than the others. Pairs
+// share theirs over all that there can be, tried or not.
+constexpr double kPriorNone = 0.20, kPriorUnknown = 0.15, kPriorPairs = 0.10;
+constexpr double kSure = 0.7, kUnknownSure = 0.5, kTogether = 0.9;
+constexpr double kLeastIsolability = 2, kLeastLearned = 0.3;  // [sigma], [nat]
+constexpr std::size_t kMostNamed = 4;
+
+bool is_pair(const std::string& cause) { return cause.find('+') != std::string::npos; }
+
+double pairs_among(double n) { return std::max(1.0, 0.5 * n * (n - 1)); }
+
+/// Prior of a class, of `singles` that take part.
+double prior_of(const std::string& cause, double singles) {
+  if (cause == "none") return kPriorNone;
+  if (cause == "unknown") return kPriorUnknown;
+  if (is_pair(cause)) return kPriorPairs / pairs_among(singles);
+  return (1 - kPriorNone - kPriorUnknown - kPriorPairs) / singles;
+}
+
+/// How many models a class has, and how many classes are single effects.
+struct Classes {
+  std::map<std::string, int> members;
+  double singles = 0;
+};
+Classes classes_of(const std::vector<Weighed>& models) {
+  Classes out;
+  for (const Weighed& m : models) ++out.members[m.cause];
+  for (const auto& [cause, n] : out.members) out.singles += cause != "none" && cause != "unknown" && !is_pair(cause) ? 1 : 0;
+  return out;
+}
+
+/// How far the posterior has moved from the prior [nat].
+double learned(const std::vector<Weighed>& models) {
+  const double singles = classes_of(models).singles;
+  double sum = 0;
+  for (const auto& [cause, p] : by_class(models)) {
+    if (p > 0) sum += p * std::log(p / prior_of(cause, singles));
+  }
+  return sum;
+}
+
+/// The fewest classes that hold nine tenths of the probability, both halves of pairs named.
+std::vector<std::string> together(const std::vector<std::pair<std::string, double>>& classes) {
+  std::vector<std::string> out;
+  double sum = 0;
+  for (const auto& [cause, share] : classes) {
+    if (sum >= kTogether) break;
+    out.push_back(cause), sum += share;
+  }
+  return out;
+}
+
+}  // namespace
+
+std::string_view name_of(Verdict verdict) {
+  constexpr std::string_view kNames[] = {"NO GAP", "EFFECT", "ONE OF", "PAIR", "NONE OF THESE", "CANNOT TELL"};
+  return kNames[static_cast<int>(verdict)];
+}
+
+std::string cause_class(const std::string& effect) {
+  if (const auto plus = effect.find('+'); plus != std::string::npos) {
+    const std::string a = cause_class(effect.substr(0, plus)), b = cause_class(effect.substr(plus + 1));
+    return std::min(a, b) + "+" + std::max(a, b);
+  }
+  if (effect.starts_with("lateral_stress_offset")) return "lateral_stress_offset";
+  if (effect.starts_with("preparation_")) return "preparation";
+  if (effect == "frame_compliance" || effect == "seating" || effect.starts_with("load_cell_")) return "apparatus";
+  return effect;
+}
+
+void weigh(std::vector<Weighed>& models, double temperature) {
+  const Classes classes = classes_of(models);
+  double top = -INFINITY, sum = 0;
+  for (Weighed& m : models) {
+    // A pair of classes is tried in few of its ways: each has the share of all of them that it has of those tried.
+    m.probability = std::log(prior_of(m.cause, classes.singles) / classes.members.at(m.cause)) + m.log_z / temperature;
+    top = std::max(top, m.probability);
+  }
+  for (Weighed& m : models) sum += m.probability = std::exp(m.probability - top);
+  for (Weighed& m : models) m.probability /= sum;
+  std::ranges::sort(models, std::greater{}, &Weighed::probability);
+}
+
+std::vector<std::pair<std::string, double>> by_class(const std::vector<Weighed>& models) {
+  std::vector<std::pair<std::string, double>> out;
+  for (const Weighed& m : models) {
+    const auto known = std::ranges::find(out, m.cause, &std::pair<std::string, double>::first);
+    if (known == out.end()) out.emplace_back(m.cause, m.probability);
+    else known->second += m.probability;
+  }
+  std::ranges::sort(out, std::greater{}, &std::pair<std::string, double>::second);
+  return out;
+}
+
+void decide(Diagnosis& d) {
+  const auto classes = by_class(d.models);
+  const bool isolable = std::ranges::any_of(d.isolability, [](const Isolability& i) { return i.sigma >= kLeastIsolability; });
+  const auto& [best, p] = classes.front();
+  d.classes.clear();
+  if (!isolable || learned(d.models) < kLeastLearned) {
+    d.verdict = Verdict::kCannotTell;
+  } else if ((best == "unknown" && p >= kUnknownSure) || d.adequacy < d.adequacy_threshold) {
+    d.verdict = Verdict::kNoneOfThese;
+    d.classes = {"unknown"};
+  } else if (p < kSure) {
+    d.classes = together(classes);
+    d.verdict = d.classes.size() > kMostNamed ? Verdict::kCannotTell : Verdict::kOneOf;
+  } else if (is_pair(best)) {
+    d.verdict = Verdict::kPair;
+    d.classes = {best.substr(0, best.find('+')), best.substr(best.find('+') + 1)};
+  } else {
+    d.verdict = best == "none" ? Verdict::kNoGap : best == "unknown" ? Verdict::kNoneOfThese : Verdict::kEffect;
+    d.classes = {best};
+  }
+}
+
+}  // namespace regolab::gap

@@ -1,0 +1,16 @@
+/// From evidence to an answer: prior probabilities, what counts as sure, and the six verdicts.
+#pragma once
+#include "scheduler/gap/diagnosis.h"
+
+namespace regolab::gap {
+
+/// Posterior probabilities from log Z / temperature and the prior; sorts the models by them.
+void weigh(std::vector<Weighed>& models, double temperature);
+
+/// Probability of each class, most probable first.
+std::vector<std::pair<std::string, double>> by_class(const std::vector<Weighed>& models);
+
+/// Verdict and classes, from models, isolability and adequacy.
+void decide(Diagnosis& diagnosis);
+
+}  // namespace regolab::gap
