@@ -199,6 +199,7 @@ struct Tree {
     auto* report = verb(*gap, "report", "a diagnosis in the store as one HTML file that needs no script and no network");
     report->add_option("ID", arguments.diagnosis, "its id, the start of it, or the observation file")->required();
     report->add_option("-o,--output", arguments.output, "the file")->type_name("FILE")->required();
+    question_of(verb(*gap, "next", "which test would tell most about which cause it is, per hour; a diagnosis comes first"));
     add_blind_verbs(*gap);
   }
 

@@ -48,6 +48,7 @@ const std::map<std::string, Verb>& verbs() {
       {"gap blind make", blind_make},
       {"gap blind solve", blind_solve},
       {"gap blind reveal", blind_reveal},
+      {"gap next", gap_next},
       {"article check", check_article},
       {"article compare", compare_article},
       {"article functions", article_functions},

@@ -101,4 +101,13 @@ Outcome resolve_experiment(Lab& lab, const Arguments& arguments, Console& consol
                                           where_flags(arguments)));
 }
 
+Outcome resolve_experiments(Lab& lab, const Arguments& arguments, Console& console, google::protobuf::RepeatedPtrField<std::string>& ids) {
+  for (const std::string& word : arguments.experiments) {
+    Arguments one = arguments;
+    one.experiment = word;
+    if (auto found = resolve_experiment(lab, one, console, *ids.Add()); !found.ok()) return found;
+  }
+  return done();
+}
+
 }  // namespace regolab::client

@@ -8,6 +8,7 @@
 #include "client/embedded.h"
 #include "client/lab.h"
 #include "client/outcome.h"
+#include "client/wire.h"
 
 namespace regolab::client {
 
@@ -33,5 +34,8 @@ Outcome open_session(const Arguments& arguments, Need need, Session& session);
 /// The id that "last", nothing, the start of an id or a name stands for. Nothing stands for the newest experiment, which is
 /// said on stderr when there are several.
 Outcome resolve_experiment(Lab& lab, const Arguments& arguments, Console& console, std::string& id);
+
+/// The same for every word of `arguments.experiments`.
+Outcome resolve_experiments(Lab& lab, const Arguments& arguments, Console& console, google::protobuf::RepeatedPtrField<std::string>& ids);
 
 }  // namespace regolab::client

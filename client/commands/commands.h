@@ -35,6 +35,7 @@ Outcome gap_report(const Arguments& arguments, Console& console);
 Outcome blind_make(const Arguments& arguments, Console& console);
 Outcome blind_solve(const Arguments& arguments, Console& console);
 Outcome blind_reveal(const Arguments& arguments, Console& console);
+Outcome gap_next(const Arguments& arguments, Console& console);
 Outcome check_article(const Arguments& arguments, Console& console);
 Outcome compare_article(const Arguments& arguments, Console& console);
 Outcome article_functions(const Arguments& arguments, Console& console);

@@ -11,6 +11,7 @@
 #include "client/file_write.h"
 #include "client/json_view.h"
 #include "client/session.h"
+#include "client/views/gap_next.h"
 #include "client/views/gap_text.h"
 
 namespace regolab::client {
@@ -64,7 +65,7 @@ void add_diagnosis(const pb::Diagnosis& d, Json& out) {
   out["repaired"] = d.repaired().empty() ? Json() : Json(d.repaired());
   out["fits"] = Json::array();
   for (const auto& f : d.fits()) out["fits"].push_back(json_of(f));
-  out["next_tests"] = Json::array();
+  out["next_tests"] = next_json(d);
   out["warnings"] = std::vector<std::string>(d.warnings().begin(), d.warnings().end());
   out["provenance"] = {{"bank", d.bank()}, {"features", d.features()}, {"seed", d.seed()}, {"physics_version", d.physics_version()},
                        {"diagnosis", d.id()}, {"kernels", d.kernels()}, {"method", d.method()}};
@@ -153,6 +154,26 @@ Outcome gap_diagnose(const Arguments& arguments, Console& console) {
   }
   console.out << diagnosis_text(diagnosis) << std::flush;
   if (!diagnosis.has_shrinkage() && !diagnosis.repaired().empty()) hint(arguments, console, "gap confirm " + question_words(arguments));
+  return done();
+}
+
+Outcome gap_next(const Arguments& arguments, Console& console) {
+  pb::DiagnoseRequest request;
+  Session session;
+  if (auto opened = open_question(arguments, console, request, session); !opened.ok()) return opened;
+  pb::Diagnosis d;
+  if (auto found = run_diagnosis(arguments, request, session, console, d); !found.ok()) return found;
+  if (arguments.json) {
+    Json out = document("gap-next");
+    out["case"] = d.case_name();
+    out["verdict"] = d.verdict();
+    out["open_nats"] = d.open_nats();
+    out["next_tests"] = next_json(d);
+    console.out << text_of(out);
+  } else {
+    console.out << diagnosis_lines(d)[1] << "\n" << next_text(d);
+  }
+  console.out << std::flush;
   return done();
 }
 

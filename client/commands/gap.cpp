@@ -88,13 +88,7 @@ Outcome gap_bank(const Arguments& arguments, Console& console) {
   Session session;
   if (auto opened = open_session(arguments, Need::kStored, session); !opened.ok()) return opened;
   pb::BankRequest request;
-  for (const std::string& word : arguments.experiments) {
-    Arguments one = arguments;
-    one.experiment = word;
-    std::string id;
-    if (auto found = resolve_experiment(*session.lab, one, console, id); !found.ok()) return session.explain(found);
-    request.add_experiments(id);
-  }
+  if (auto found = resolve_experiments(*session.lab, arguments, console, *request.mutable_experiments()); !found.ok()) return session.explain(found);
   pb::BankReply reply;
   if (auto got = session.lab->bank(request, reply); !got.ok()) return session.explain(got);
   if (!arguments.output.empty()) {

@@ -60,13 +60,7 @@ Outcome train(const Arguments& arguments, Console& console) {
   pb::TrainRequest request;
   request.set_name(arguments.name);
   request.set_want_file(!arguments.output.empty());
-  for (const std::string& word : arguments.experiments) {
-    Arguments one = arguments;
-    one.experiment = word;
-    std::string id;
-    if (auto found = resolve_experiment(*session.lab, one, console, id); !found.ok()) return session.explain(found);
-    request.add_experiments(id);
-  }
+  if (auto found = resolve_experiments(*session.lab, arguments, console, *request.mutable_experiments()); !found.ok()) return session.explain(found);
   pb::TrainEvent last;
   const auto show = [&](const pb::TrainEvent& event) {
     console.err << fmt::format("training {}/{}: {}\n", event.done() + 1, event.of(), event.response()) << std::flush;

@@ -120,15 +120,16 @@ std::string shrinkage_card(const pb::Diagnosis& d) {
   return fmt::format("<div class=\"card {}\">{}{}</div>", s.has_s() ? "" : "open", text, heldout_table(s));
 }
 
-std::string next_card(const std::vector<NextTest>& tests) {
-  if (tests.empty()) return "";
+std::string next_card(const pb::Diagnosis& d) {
+  if (d.next_tests().empty()) return "";
   std::string rows;
-  for (const NextTest& t : tests) {
-    rows += fmt::format("<tr><td>{}</td><td class=n>{:.2f}</td><td class=n>{:.3g}</td><td>{}</td></tr>", html_escaped(t.test), t.eig_nats, t.hours,
-                        html_escaped(fmt::format("{}", fmt::join(t.splits, ", "))));
+  for (const auto& t : d.next_tests()) {
+    rows += fmt::format("<tr><td>{}</td><td class=n>{}</td><td class=n>{:.3g}</td><td>{}</td></tr>", html_escaped(t.test()),
+                        t.has_eig_nats() ? fmt::format("{:.2f} ± {:.2f}", t.eig_nats(), t.eig_error()) : "not foretold", t.hours(),
+                        html_escaped(fmt::format("{}", fmt::join(t.splits().begin(), t.splits().end(), "; "))));
   }
-  return "<div class=\"card open\"><h2>What would settle it</h2><div class=wide><table><tr><th>test</th><th class=n>expected information, nat</th><th class=n>hours</th><th>tells apart</th></tr>" + rows +
-         "</table></div></div>";
+  return fmt::format("<div class=\"card open\"><h2>What would settle it</h2><p class=quiet>{:.2f} nat are open between the causes. Hours of a laboratory are assumed.</p><div class=wide><table>"
+                     "<tr><th>test</th><th class=n>expected to tell, nat</th><th class=n>hours</th><th>tells apart</th></tr>{}</table></div></div>", d.open_nats(), rows);
 }
 
 std::string blind_card(const std::string& record) {
@@ -169,7 +170,7 @@ std::string diagnosis_html(const GapReport& report) {
   const std::string held = d.held_out().empty() ? "" : fmt::format(" Fitted without {}.", html_escaped(fmt::format("{}", fmt::join(d.held_out().begin(), d.held_out().end(), ", "))));
   return fmt::format("<!doctype html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><meta name=\"viewport\" content=\"width=device-width\"><title>Gap: {}</title><style>{}</style></head><body>"
                      "<p class=quiet>Gap between simulation and measurement: {}</p>", name, kStyle, name) +
-         card(d) + shrinkage_card(d) + gap_map(d) + ladder(d) + curves_html(report.stored) + next_card(report.next_tests) + measurements(report.stored.measured(), d) + not_used(d) +
+         card(d) + shrinkage_card(d) + gap_map(d) + ladder(d) + curves_html(report.stored) + next_card(d) + measurements(report.stored.measured(), d) + not_used(d) +
          blind_card(report.blind_record) +
          fmt::format("<p class=quiet>Diagnosis {}, bank {}, kernels {}, method {}, physics version {}, sampler seed {}, {} features.{}</p></body></html>\n", html_escaped(d.id().substr(0, 12)),
                      html_escaped(d.bank()), html_escaped(d.kernels()), html_escaped(d.method()), d.physics_version(), d.seed(), d.features(), held);

@@ -2,24 +2,14 @@
 #pragma once
 #include <string>
 #include <string_view>
-#include <vector>
 
 #include "client/wire.h"
 
 namespace regolab::client {
 
-/// A test that would tell the open causes apart.
-struct NextTest {
-  std::string test;
-  double eig_nats = 0;  ///< expected information about which cause it is
-  double hours = 0;
-  std::vector<std::string> splits;  ///< causes it separates
-};
-
 struct GapReport {
-  pb::StoredDiagnosis stored;        ///< with its diagnosis
-  std::vector<NextTest> next_tests;  ///< best first; empty: no card
-  std::string blind_record;          ///< how the method did on data whose effect was withheld; empty: no card
+  pb::StoredDiagnosis stored;  ///< with its diagnosis
+  std::string blind_record;    ///< how the method did on data whose effect was withheld; empty: no card
 };
 
 std::string diagnosis_html(const GapReport& report);

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "client/table_print.h"
+#include "client/views/gap_next.h"
 #include "vocab/units.h"
 
 namespace regolab::client {
@@ -58,7 +59,8 @@ std::string which_line(const pb::Diagnosis& d) {
 std::vector<std::string> diagnosis_lines(const pb::Diagnosis& d) {
   return {"where   " + where_line(d), "which   " + which_line(d), "shrinks " + shrinkage_line(d),
           fmt::format("sure    {} features, misfit of the best model p = {:.2g}{}", d.features(), d.adequacy_p(),
-                      d.adequacy_p() < d.adequacy_threshold() ? ": it does not explain them" : "")};
+                      d.adequacy_p() < d.adequacy_threshold() ? ": it does not explain them" : ""),
+          next_line(d)};
 }
 
 std::string where_text(const pb::Diagnosis& d) {

@@ -1,10 +1,12 @@
 #include "scheduler/gap/comparison.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
 #include "scheduler/gap/between_codes.h"
+#include "scheduler/gap/strength_line.h"
 
 namespace regolab::gap {
 namespace {
@@ -29,13 +31,45 @@ double variance_of(const Feature& f, double own_noise, double size_ratio) {
   return f.assumed ? std::max(pooled, given) : pooled;
 }
 
+/// Confining stresses of the emulator's sigma1, ascending [Pa].
+std::vector<double> sigma3_of(const Emulator& emulator) {
+  std::vector<double> out;
+  for (const FeatureInfo& f : emulator.features()) {
+    if (f.id.starts_with("sigma1_ratio_")) out.push_back(f.group.sigma3);
+  }
+  std::ranges::sort(out);
+  return out;
+}
+
+/// Both ends of a strength line err by the same two numbers, and by nothing that other features share.
+void go_together(const StrengthLine& line, Comparison& comparison) {
+  std::array<Index, 2> at;
+  for (std::size_t k = 0; k < 2; ++k) {
+    at[k] = std::ranges::find(comparison.measured, line.ends[k].id, &Feature::id) - comparison.measured.begin();
+    comparison.correlation.row(at[k]).setZero(), comparison.correlation.col(at[k]).setZero();
+    comparison.correlation(at[k], at[k]) = 1;
+  }
+  const double own = line.correlation * line.ends[0].standard_error * line.ends[1].standard_error;
+  comparison.correlation(at[0], at[1]) = comparison.correlation(at[1], at[0]) = own / std::sqrt(comparison.variance[at[0]] * comparison.variance[at[1]]);
+}
+
 }  // namespace
 
+double size_ratio_of(const ObservationSet& set) { return std::min(1.0, kBankParticles / set.specimen.particles.value_or(kBankParticles)); }
+
 Comparison compare(const Emulator& emulator, const ObservationSet& set) {
+  auto features = features_of(readings_of(set));
+  const auto line = strength_line(features, sigma3_of(emulator), set.protocol.sigma3);
+  if (line) features.insert(features.end(), line->ends.begin(), line->ends.end());
+  Comparison out = compare(emulator, features, size_ratio_of(set));
+  if (line) go_together(*line, out);
+  return out;
+}
+
+Comparison compare(const Emulator& emulator, const std::vector<Feature>& features, double size_ratio) {
   Comparison out;
-  const double size_ratio = std::min(1.0, kBankParticles / set.specimen.particles.value_or(kBankParticles));
   std::vector<double> y, variance, own;
-  for (const Feature& f : features_of(readings_of(set))) {
+  for (const Feature& f : features) {
     const int at = emulator.feature(f.id);
     if (at < 0) continue;
     out.feature.push_back(at);
@@ -45,9 +79,9 @@ Comparison compare(const Emulator& emulator, const ObservationSet& set) {
     variance.push_back(variance_of(f, emulator.noise()[at], size_ratio));
   }
   out.y = Eigen::Map<const VectorXd>(y.data(), static_cast<Index>(y.size()));
-  out.variance = Eigen::Map<const VectorXd>(variance.data(), static_cast<Index>(variance.size()));
   const VectorXd sd = Eigen::Map<const VectorXd>(own.data(), out.size());
-  out.variance += kAlone * kAlone * sd.cwiseAbs2();
+  out.between_alone = kAlone * kAlone * sd.cwiseAbs2();
+  out.variance = Eigen::Map<const VectorXd>(variance.data(), static_cast<Index>(variance.size())) + out.between_alone;
   out.correlation = emulator.correlation()(out.feature, out.feature);
   out.error_correlation = emulator.error_correlation()(out.feature, out.feature);
   out.between_codes = sd.asDiagonal() * between_codes(out.measured);
@@ -65,7 +99,7 @@ MatrixXd Comparison::covariance(const VectorXd& emulator_variance) const {
 Comparison Comparison::subset(const std::vector<Index>& kept) const {
   Comparison out;
   for (const Index k : kept) out.feature.push_back(feature[static_cast<std::size_t>(k)]), out.measured.push_back(measured[static_cast<std::size_t>(k)]);
-  out.y = y(kept), out.variance = variance(kept);
+  out.y = y(kept), out.variance = variance(kept), out.between_alone = between_alone(kept);
   out.correlation = correlation(kept, kept);
   out.error_correlation = error_correlation(kept, kept);
   out.between_codes = between_codes(kept, Eigen::all);

@@ -15,6 +15,7 @@ struct Comparison {
   Eigen::VectorXd variance;           // [q] of the measured mean: its own error and seeds
   Eigen::MatrixXd correlation;        // [q][q] of those
   Eigen::MatrixXd error_correlation;  // [q][q] of the emulator's errors
+  Eigen::VectorXd between_alone;      // [q] of the variance, what codes differ by in this feature alone: repeats do not lessen it
   Eigen::MatrixXd between_codes;      // [q][r] what codes differ by, a column for features that differ together
 
   Eigen::Index size() const { return y.size(); }
@@ -28,6 +29,10 @@ struct Comparison {
 /// (scaled to the measured specimen's size), which counts as `kPriorFreedom` degrees of freedom.
 inline constexpr double kPriorFreedom = 6;
 Comparison compare(const Emulator& emulator, const ObservationSet& set);
+/// Of features given one by one; those that the emulator lacks are left out. size_ratio: of one run's scatter in a specimen of the
+/// measured size, at most 1.
+Comparison compare(const Emulator& emulator, const std::vector<Feature>& features, double size_ratio);
+double size_ratio_of(const ObservationSet& set);
 
 /// Log density of a multivariate Student t.
 double student_t_log_density(const Eigen::VectorXd& off, const Eigen::MatrixXd& covariance);

@@ -17,6 +17,7 @@ using Eigen::VectorXd;
 
 constexpr int kReplicates = 1000;
 constexpr int kParticlesOfWhere = 150;  // one fit for each group
+constexpr std::uint64_t kUnseenStream = 3000;
 constexpr std::size_t kPaired = 4;  // best single effects that are tried in pairs
 
 double quantile(std::vector<double> v, double share) {
@@ -116,6 +117,36 @@ struct Search {
   }
 };
 
+/// All hypotheses with their posteriors. An effect that takes no part, because these measurements cannot notice it, is as likely beside the
+/// base model as before, with any strength.
+std::vector<Believed> believed_of(const Search& search, const std::vector<Hypothesis>& hypotheses, const Diagnosis& d) {
+  std::vector<Believed> out;
+  const auto weighed = [&](const std::string& name) { return *std::ranges::find(d.models, name, &Weighed::model); };
+  for (const Hypothesis& h : hypotheses) out.push_back({h, cause_class(h.name), weighed(h.name).probability, search.posteriors.at(h.name).u});
+  std::map<std::string, int> members;
+  for (const Isolability& i : d.isolability) ++members[cause_class(i.effect)];
+  const auto singles = static_cast<double>(members.size());
+  const Believed base = out.front();
+  for (std::size_t c = 0; c < d.isolability.size(); ++c) {
+    const std::string& effect = d.isolability[c].effect;
+    if (d.isolability[c].seen) continue;
+    MatrixXd u(base.u.rows() + 1, base.u.cols());
+    u.topRows(base.u.rows()) = base.u;
+    for (Index k = 0; k < u.cols(); ++k) u(u.rows() - 1, k) = uniform(search.smc.seed, kUnseenStream + c, static_cast<std::uint64_t>(k));
+    const std::string cause = cause_class(effect);
+    const double prior = prior_of(cause, singles) / members.at(cause) / prior_of("none", singles);
+    out.push_back({{effect, {c}, false, {}}, cause, base.probability * prior, std::move(u)});
+  }
+  return out;
+}
+
+/// Repeats behind a typical measured feature.
+int specimens_of(const Comparison& comparison) {
+  std::vector<double> repeats;
+  for (const Feature& f : comparison.measured) repeats.push_back(f.repeats);
+  return std::max(1, static_cast<int>(quantile(repeats, 0.5)));
+}
+
 Error stopped() { return {Code::kCancelled, "stopped (the caller has gone) nothing was lost"}; }
 
 std::vector<GroupGap> where_of(const Emulator& emulator, const Comparison& comparison, const std::map<std::string, Stated>& stated, const DiagnosisOptions& options) {
@@ -143,7 +174,7 @@ Result<Diagnosis> diagnose(const Emulator& emulator, const ObservationSet& set, 
   Diagnosis out;
   out.features = static_cast<int>(comparison.size());
   out.adequacy_threshold = options.adequacy_threshold;
-  int done = 0, steps = static_cast<int>(emulator.causes().size()) + 4;
+  int done = 0, steps = static_cast<int>(emulator.causes().size()) + 5;
   const auto step = [&](const std::string& what) { return !on_step || on_step(what, done++, steps); };
   if (!step("what these measurements can tell apart")) return stopped();
   out.isolability = isolability(emulator, comparison, stated, options.smc.seed);
@@ -161,7 +192,7 @@ Result<Diagnosis> diagnose(const Emulator& emulator, const ObservationSet& set, 
   const std::size_t singles = hypotheses.size();
   const auto pairs = pairs_of(hypotheses, search.models);
   hypotheses.insert(hypotheses.end(), pairs.begin(), pairs.end());
-  steps = done + static_cast<int>(pairs.size()) + 1;
+  steps = done + static_cast<int>(pairs.size()) + 2;
   if (!weigh_from(singles)) return stopped();
   out.models = std::move(search.models);
   weigh(out.models, options.temperature);
@@ -170,6 +201,10 @@ Result<Diagnosis> diagnose(const Emulator& emulator, const ObservationSet& set, 
   out.adequacy = adequacy_of(Likelihood(emulator, comparison, *hypothesis, stated, library), comparison, search.posteriors.at(named->model), options.smc.seed);
   if (!step("where")) return stopped();
   out.where = where_of(emulator, comparison, stated, options);
+  if (!step("which test would tell more")) return stopped();
+  const auto believed = believed_of(search, hypotheses, out);
+  out.open = entropy_of_causes(believed);
+  out.next = next_tests({emulator, comparison, stated, believed, specimens_of(comparison), size_ratio_of(set), options.smc.seed});
   for (const Isolability& i : out.isolability) {
     if (!i.seen) out.warnings.push_back(i.effect + " takes no part: these measurements would not notice the strongest that it may be");
   }

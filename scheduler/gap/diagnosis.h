@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "scheduler/gap/hypothesis.h"
+#include "scheduler/gap/next.h"
 #include "scheduler/gap/steps.h"
 
 namespace regolab::gap {
@@ -66,6 +67,8 @@ struct Diagnosis {
   std::vector<Isolability> isolability;
   double adequacy = 1;                     ///< p of the best model's misfit
   double adequacy_threshold = 0;
+  std::vector<NextTest> next;              ///< what would tell more, best first
+  double open = 0;                         ///< entropy of the causes' probabilities [nat]: the most that a test can tell
   std::vector<std::string> warnings;
   int features = 0;
 };

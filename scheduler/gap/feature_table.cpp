@@ -49,6 +49,8 @@ constexpr PlainRow kPlainRows[] = {
     {"repose_angle_whole", "repose angle of the whole surface", Test::kRepose, Kind::kPlain, "rad"},
     {"repose_wedge", "repose angle of the wedge of equal volume", Test::kRepose, Kind::kPlain, "rad"},
     {"repose_column_stood", "share of slopes that stood", Test::kRepose, Kind::kPlain, "1"},
+    {"strength_cohesion", "cohesion", Test::kStress, Kind::kPlain, "Pa"},
+    {"strength_friction_angle", "angle of internal friction", Test::kStress, Kind::kPlain, "rad"},
 };
 
 constexpr std::string_view kPlateDepths[] = {"0.5", "1.0", "1.5"};  ///< in plate widths
@@ -78,7 +80,7 @@ std::string short_number(double value) {
 
 std::string Group::text() const {
   std::string text(name_of(test));
-  if (test == Test::kStress) text += " " + kilopascals(sigma3) + " kPa " + std::string(name_of(part));
+  if (test == Test::kStress) text += sigma3 == 0 ? " strength" : " " + kilopascals(sigma3) + " kPa " + std::string(name_of(part));
   return text;
 }
 

@@ -36,9 +36,11 @@ class Reader {
  public:
   explicit Reader(const Readings& readings) : readings_(readings) {}
 
-  Maybe settle_or_repose(const std::string& id) const {
+  Maybe plain(const std::string& id) const {
     if (id == "surface_roughness") return roughness();
     if (id == "repose_wedge") return wedge();
+    if (id == "strength_cohesion") return scalar("cohesion");
+    if (id == "strength_friction_angle") return scalar("friction_angle_internal");
     return scalar(id);
   }
 
@@ -140,12 +142,12 @@ class Reader {
 Maybe value_of(const Reader& reader, const FeatureInfo& info) {
   const auto cut = info.id.rfind('_');
   switch (info.group.test) {
-    case Test::kStress: return reader.stress(info.id.substr(0, cut), info.group.sigma3);
+    case Test::kStress: return info.group.sigma3 > 0 ? reader.stress(info.id.substr(0, cut), info.group.sigma3) : reader.plain(info.id);
     case Test::kPenetration: {
       const auto depth = leading_number(std::string_view(info.id).substr(std::string_view("penetration_").size()));
       return depth ? reader.penetration(depth->value, info.id.substr(cut + 1)) : std::nullopt;
     }
-    default: return reader.settle_or_repose(info.id);
+    default: return reader.plain(info.id);
   }
 }
 

@@ -16,10 +16,10 @@ enum class Kind { kPlain, kLog };
 /// Where a gap is looked for: a test, under a confining stress, in a part of its curve.
 struct Group {
   Test test = Test::kSettle;
-  double sigma3 = 0;  ///< [Pa]; 0 outside stress tests
+  double sigma3 = 0;  ///< [Pa]; 0 outside stress tests, and for a strength line over several
   Part part = Part::kWhole;
 
-  std::string text() const;  ///< "settle", "stress 1.25 kPa residual"
+  std::string text() const;  ///< "settle", "stress 1.25 kPa residual", "stress strength"
   bool operator==(const Group&) const = default;
   auto operator<=>(const Group&) const = default;
 };
@@ -48,7 +48,7 @@ struct Feature {
   bool assumed = false;
 };
 
-/// Every feature there can be, in a fixed order: settle, repose, each sigma3 (ascending), each plate ("30x3mm").
+/// Every feature there can be, in a fixed order: settle, repose, strength, each sigma3 (ascending), each plate ("30x3mm").
 std::vector<FeatureInfo> all_features(std::span<const double> sigma3, std::span<const std::string> plates = {});
 
 /// By id, whatever its sigma3 or plate; empty for an id that no feature has.

@@ -82,6 +82,11 @@ VectorXd Likelihood::strength(const MatrixXd& u, std::size_t k) const {
   return u.row(static_cast<Index>(free_.size() + k)).transpose().unaryExpr([&](double share) { return range.at(share); });
 }
 
+double Likelihood::unknown_size(const VectorXd& u) const {
+  const double share = std::min(u[u.size() - 1], 0.999);
+  return std::min(kMostUnknown, kUnknownScale * std::tan(0.5 * std::numbers::pi * share));
+}
+
 Predicted Likelihood::predict(const MatrixXd& u) const {
   std::vector<Use> uses;
   for (std::size_t k = 0; k < hypothesis_.causes.size(); ++k) uses.push_back({hypothesis_.causes[k], strength(u, k)});
@@ -102,7 +107,7 @@ VectorXd Likelihood::operator()(const MatrixXd& u) const {
   for (Index i = 0; i < u.cols(); ++i) {
     MatrixXd covariance = comparison_.covariance(p.variance.col(i));
     if (hypothesis_.unknown) {
-      const double share = std::min(u(u.rows() - 1, i), 0.999), size = std::min(kMostUnknown, kUnknownScale * std::tan(0.5 * std::numbers::pi * share));
+      const double size = unknown_size(u.col(i));
       covariance += size * size * library_;
     }
     out[i] = student_t_log_density(comparison_.y - p.mean.col(i), covariance);

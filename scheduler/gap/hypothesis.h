@@ -46,6 +46,8 @@ class Likelihood {
   /// [n_axes][n_points] SI; strength of cause k at each point.
   Eigen::MatrixXd values(const Eigen::MatrixXd& u) const;
   Eigen::VectorXd strength(const Eigen::MatrixXd& u, std::size_t k) const;
+  /// How many times the library's shifts the unknown is, at one point. REQUIRES: the hypothesis is the unknown.
+  double unknown_size(const Eigen::VectorXd& u) const;
   /// The emulator's answer for the features compared. [q][n_points]
   Predicted predict(const Eigen::MatrixXd& u) const;
 

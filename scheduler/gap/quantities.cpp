@@ -14,7 +14,8 @@ namespace {
 using Tail = Quantity::Tail;
 constexpr double kStrong = 1e9;  // [Pa] no soil carries more
 
-// Stand-in errors are those a careful laboratory reaches: balances and rulers 1 %, load cells and repeats 5 %, moduli 15 %, slopes 2 deg.
+// Stand-in errors are those a careful laboratory reaches: balances and rulers 1 %, load cells and repeats 5 %, moduli 15 %, slopes 2 deg,
+// a cohesion 20 % and 0.2 kPa.
 constexpr Quantity kScalars[] = {
     {.stem = "contacts_per_particle", .si = "1", .what = "contacts", .high = 100, .low_too = true, .assumed_relative = 0.02},
     {.stem = "neighbours_per_particle", .si = "1", .what = "neighbours", .high = 100, .low_too = true, .assumed_relative = 0.02},
@@ -32,6 +33,8 @@ constexpr Quantity kScalars[] = {
     {.stem = "sigma1_peak", .tail = Tail::kAtSigma3, .si = "Pa", .what = "stress", .high = kStrong, .assumed_relative = 0.05},
     {.stem = "sigma3_measured", .tail = Tail::kAtSigma3, .si = "Pa", .what = "stress", .high = kStrong, .assumed_relative = 0.02},
     {.stem = "E50", .tail = Tail::kAtSigma3, .si = "Pa", .what = "modulus", .high = 1e12, .assumed_relative = 0.15},
+    {.stem = "cohesion", .si = "Pa", .what = "cohesion", .low = -1e6, .high = 1e6, .low_too = true, .assumed_relative = 0.2, .assumed_absolute = 200},
+    {.stem = "friction_angle_internal", .si = "rad", .what = "angle", .high = 85 * kDegree, .low_too = true, .assumed_absolute = 2 * kDegree},
     {.stem = "void_ratio_compressed", .tail = Tail::kSigma3, .si = "1", .what = "void ratio", .high = 100, .assumed_relative = 0.02},
 };
 

@@ -1,11 +1,10 @@
 #include "scheduler/gap/smc.h"
 
-#include <Random123/boxmuller.hpp>
-#include <Random123/philox.h>
-#include <Random123/uniform.hpp>
 #include <algorithm>
 #include <cmath>
 #include <vector>
+
+#include "scheduler/random/philox.h"
 
 namespace regolab::gap {
 namespace {
@@ -16,22 +15,8 @@ using Eigen::VectorXd;
 
 constexpr double kJump = 0.15;  // share of moves that redraw one parameter from its prior: choices, and far modes
 
-/// Counter-based: a draw is a function of (seed, repeat, stage, particle, number) alone.
-class Draws {
- public:
-  Draws(std::uint64_t seed, int repeat) : key_{{seed, static_cast<std::uint64_t>(repeat)}} {}
-  double uniform(std::uint64_t stage, Index particle, std::uint64_t number) const { return r123::u01fixedpt<double>(words(stage, particle, number)[0]); }
-  double normal(std::uint64_t stage, Index particle, std::uint64_t number) const {
-    const auto w = words(stage, particle, number);
-    return r123::boxmuller(w[0], w[1]).x;
-  }
-
- private:
-  r123::Philox4x64::ctr_type words(std::uint64_t stage, Index particle, std::uint64_t number) const {
-    return r123::Philox4x64{}({{stage, static_cast<std::uint64_t>(particle), number, 0}}, key_);
-  }
-  r123::Philox4x64::key_type key_;
-};
+/// A particle in the counter of its draws.
+std::uint64_t number_of(Index particle) { return static_cast<std::uint64_t>(particle); }
 
 double log_mean_exp(const VectorXd& v) {
   const double top = v.maxCoeff();
@@ -73,15 +58,15 @@ double reflected(double u) {
 
 class Walkers {
  public:
-  Walkers(const LogLikelihood& f, int parameters, int particles, const Draws& draws) : f_(f), draws_(draws), u(parameters, particles) {
+  Walkers(const LogLikelihood& f, int parameters, int particles, const Philox& draws) : f_(f), draws_(draws), u(parameters, particles) {
     for (Index i = 0; i < u.cols(); ++i) {
-      for (Index d = 0; d < u.rows(); ++d) u(d, i) = draws_.uniform(0, i, static_cast<std::uint64_t>(d));
+      for (Index d = 0; d < u.rows(); ++d) u(d, i) = draws_.uniform(0, number_of(i), static_cast<std::uint64_t>(d));
     }
     log_likelihood = f_(u);
   }
 
   void resample(const Eigen::ArrayXd& weight, std::uint64_t stage) {
-    const auto from = ancestors(weight, draws_.uniform(stage, -1, 0));
+    const auto from = ancestors(weight, draws_.uniform(stage, ~std::uint64_t{0}, 0));
     u = MatrixXd(u(Eigen::all, from));
     log_likelihood = VectorXd(log_likelihood(from));
   }
@@ -95,20 +80,20 @@ class Walkers {
     const auto d = static_cast<std::uint64_t>(u.rows());
     MatrixXd proposed(u.rows(), u.cols());
     for (Index i = 0; i < u.cols(); ++i) {
-      if (draws_.uniform(stage, i, 2 * d) < kJump) {
+      if (draws_.uniform(stage, number_of(i), 2 * d) < kJump) {
         proposed.col(i) = u.col(i);
-        const auto which = std::min<Index>(u.rows() - 1, static_cast<Index>(draws_.uniform(stage, i, 2 * d + 1) * static_cast<double>(u.rows())));
-        proposed(which, i) = draws_.uniform(stage, i, 2 * d + 2);
+        const auto which = std::min<Index>(u.rows() - 1, static_cast<Index>(draws_.uniform(stage, number_of(i), 2 * d + 1) * static_cast<double>(u.rows())));
+        proposed(which, i) = draws_.uniform(stage, number_of(i), 2 * d + 2);
         continue;
       }
       VectorXd z(u.rows());
-      for (Index k = 0; k < z.size(); ++k) z[k] = draws_.normal(stage, i, static_cast<std::uint64_t>(k));
+      for (Index k = 0; k < z.size(); ++k) z[k] = draws_.normal(stage, number_of(i), static_cast<std::uint64_t>(k));
       proposed.col(i) = (u.col(i) + scale_ * (root * z)).unaryExpr(&reflected);
     }
     const VectorXd there = f_(proposed);
     int taken = 0;
     for (Index i = 0; i < u.cols(); ++i) {
-      if (std::log(draws_.uniform(stage, i, 2 * d + 3)) >= power * (there[i] - log_likelihood[i])) continue;
+      if (std::log(draws_.uniform(stage, number_of(i), 2 * d + 3)) >= power * (there[i] - log_likelihood[i])) continue;
       u.col(i) = proposed.col(i);
       log_likelihood[i] = there[i];
       ++taken;
@@ -119,7 +104,7 @@ class Walkers {
 
  private:
   const LogLikelihood& f_;
-  Draws draws_;
+  Philox draws_;
   double scale_ = 0.7;
 
  public:
@@ -134,7 +119,7 @@ struct Run {
 };
 
 Run run_once(const LogLikelihood& f, int parameters, const SmcOptions& o, int repeat) {
-  Walkers walkers(f, parameters, o.particles, Draws(o.seed, repeat));
+  Walkers walkers(f, parameters, o.particles, Philox(o.seed, static_cast<std::uint64_t>(repeat)));
   double power = 0, log_z = 0;
   for (std::uint64_t stage = 1; power < 1; stage += 100) {
     const double next = next_power(walkers.log_likelihood, power, o.kept);

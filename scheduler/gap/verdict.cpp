@@ -18,14 +18,6 @@ bool is_pair(const std::string& cause) { return cause.find('+') != std::string::
 
 double pairs_among(double n) { return std::max(1.0, 0.5 * n * (n - 1)); }
 
-/// Prior of a class, of `singles` that take part.
-double prior_of(const std::string& cause, double singles) {
-  if (cause == "none") return kPriorNone;
-  if (cause == "unknown") return kPriorUnknown;
-  if (is_pair(cause)) return kPriorPairs / pairs_among(singles);
-  return (1 - kPriorNone - kPriorUnknown - kPriorPairs) / singles;
-}
-
 /// How many models a class has, and how many classes are single effects.
 struct Classes {
   std::map<std::string, int> members;
@@ -60,6 +52,13 @@ std::vector<std::string> together(const std::vector<std::pair<std::string, doubl
 }
 
 }  // namespace
+
+double prior_of(const std::string& cause, double singles) {
+  if (cause == "none") return kPriorNone;
+  if (cause == "unknown") return kPriorUnknown;
+  if (is_pair(cause)) return kPriorPairs / pairs_among(singles);
+  return (1 - kPriorNone - kPriorUnknown - kPriorPairs) / singles;
+}
 
 std::string_view name_of(Verdict verdict) {
   constexpr std::string_view kNames[] = {"NO GAP", "EFFECT", "ONE OF", "PAIR", "NONE OF THESE", "CANNOT TELL"};

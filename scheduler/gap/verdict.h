@@ -4,6 +4,9 @@
 
 namespace regolab::gap {
 
+/// Of a class before any data, where `singles` single effects take part.
+double prior_of(const std::string& cause, double singles);
+
 /// Posterior probabilities from log Z / temperature and the prior; sorts the models by them.
 void weigh(std::vector<Weighed>& models, double temperature);
 

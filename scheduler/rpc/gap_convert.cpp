@@ -83,6 +83,13 @@ v1::Diagnosis to_proto(const gap::Diagnosis& d) {
     auto& one = *out.add_isolability();
     one.set_effect(i.effect), one.set_sigma(i.sigma), one.set_twin(i.twin), one.set_cosine(i.cosine);
   }
+  for (const gap::NextTest& t : d.next) {
+    auto& test = *out.add_next_tests();
+    test.set_test(t.test), test.set_eig_error(t.nats_error), test.set_hours(t.hours);
+    if (t.nats) test.set_eig_nats(*t.nats);
+    for (const std::string& pair : t.splits) test.add_splits(pair);
+  }
+  out.set_open_nats(d.open);
   out.set_adequacy_p(d.adequacy), out.set_adequacy_threshold(d.adequacy_threshold);
   out.set_features(static_cast<std::uint32_t>(d.features));
   for (const std::string& warning : d.warnings) out.add_warnings(warning);

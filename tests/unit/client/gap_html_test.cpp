@@ -35,7 +35,8 @@ GapReport sample() {
   s.set_model("cohesion"), s.set_s(0.74), s.set_q05(0.61), s.set_q95(0.83), s.set_emulator_s(0.8), s.set_draws(8), s.set_base_gap(3.2), s.set_repaired_gap(0.8);
   s.add_heldout("stress 5 kPa");
   *s.add_features() = feature("sigma1_ratio_5", 15, 11, 14.4);
-  report.next_tests = {{.test = "stress at 0.3 kPa", .eig_nats = 0.41, .hours = 2, .splits = {"cohesion", "loading_rate"}}};
+  auto& next = *d.add_next_tests();
+  next.set_test("stress at 0.3 kPa"), next.set_eig_nats(0.41), next.set_eig_error(0.02), next.set_hours(2), next.add_splits("cohesion | loading_rate");
   report.blind_record = "96 cases: 0.89 right\n60 nulls: 1 false alarm";
   return report;
 }
@@ -53,10 +54,10 @@ TEST(GapReport, HasACardForEachOfItsParts) {
   EXPECT_THAT(html, HasSubstr("<p class=figure>74 %</p>"));
   EXPECT_THAT(html, HasSubstr("by 74 % (shrinkage 61 to 83 %) with cohesion, in 8 new runs of each model on stress 5 kPa, which the fit had not seen; the emulator promised 80 %"));
   EXPECT_THAT(html, HasSubstr("What would settle it"));
-  EXPECT_THAT(html, HasSubstr("<td>stress at 0.3 kPa</td><td class=n>0.41</td><td class=n>2</td><td>cohesion, loading_rate</td>"));
+  EXPECT_THAT(html, HasSubstr("<td>stress at 0.3 kPa</td><td class=n>0.41 ± 0.02</td><td class=n>2</td><td>cohesion | loading_rate</td>"));
   EXPECT_THAT(html, HasSubstr("<p>96 cases: 0.89 right</p><p>60 nulls: 1 false alarm</p>"));
   GapReport bare = sample();
-  bare.next_tests.clear(), bare.blind_record.clear();
+  bare.stored.mutable_diagnosis()->clear_next_tests(), bare.blind_record.clear();
   bare.stored.mutable_diagnosis()->clear_shrinkage();
   const std::string without = diagnosis_html(bare);
   EXPECT_THAT(without, Not(HasSubstr("What would settle it")));
@@ -88,7 +89,7 @@ TEST(GapReport, TextOfOthersIsTextAndNoMarkup) {
   d.mutable_shrinkage()->set_model(hostile), d.mutable_shrinkage()->add_warnings(hostile), d.mutable_shrinkage()->mutable_features(0)->set_label(hostile);
   auto& measured = *report.stored.mutable_measured()->add_features();
   measured.set_label(hostile), measured.set_group(hostile), measured.set_unit(hostile);
-  report.next_tests[0].test = hostile, report.next_tests[0].splits = {hostile};
+  d.mutable_next_tests(0)->set_test(hostile), d.mutable_next_tests(0)->add_splits(hostile);
   report.blind_record = hostile;
   const std::string html = diagnosis_html(report);
   EXPECT_THAT(html, Not(HasSubstr("<img")));

@@ -2,41 +2,17 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Eigenvalues>
 #include <cmath>
 
 #include "scheduler/gap/diagnosis.h"
+#include "unit/gap/made_up_world.h"
 
 namespace regolab::gap {
 namespace {
 
-double golden(int k, double step) { return std::fmod(0.5 + step * k, 1.0); }
-
-/// A made-up world: density and slope answer to friction, density to N_E; cohesion steepens slopes, a grain density shows in the balance.
-/// Two seeds a material; 60 materials without effects, 24 with each.
-struct World {
-  Bank bank{.inputs = {{"theta_F", "rad"}, {"N_E", "1"}, {"cohesion", "Pa"}, {"grain_density", "1"}}, .features = {"contacts_per_particle", "bulk_density", "repose_angle"}, .rows = {}};
-
-  static std::vector<double> measure(double friction, double elements, double cohesion, double density, int dither) {
-    const auto noise = [&](int k) { return std::sin(1e4 * friction + 77.0 * dither + 13.0 * k); };
-    return {4 - 2 * friction + 0.02 * noise(1), (1700 - 200 * friction - 20 * elements) * (1 + density) + 3 * noise(2),
-            0.4 + 0.3 * friction + 0.15 * std::log1p(cohesion / 600) + 0.02 * noise(3)};
-  }
-  void add(int point, int seed, double cohesion, double density) {
-    const double friction = golden(point, 0.7549), elements = 2.0 * (1 + point % 3);
-    bank.rows.push_back({.experiment = cohesion != 0 ? "c" : density != 0 ? "d" : "n", .point = point, .seed = static_cast<std::uint64_t>(seed), .profile = "quick",
-                         .inputs = {friction, elements, cohesion, density}, .features = measure(friction, elements, cohesion, density, 100 * point + seed)});
-  }
-  World() {
-    for (int point = 1; point <= 60; ++point) add(point, 1, 0, 0), add(point, 2, 0, 0);
-    for (int k = 1; k <= 24; ++k) add(2 * k, 1, 20 * std::pow(1000.0, golden(k, 0.618)), 0), add(2 * k + 1, 1, 0, -0.05 + 0.1 * golden(k, 0.618));
-  }
-};
-
-const Emulator& emulator() {
-  static const World world;
-  static const auto made = Emulator::from(world.bank);
-  return *made;
-}
+const Emulator& emulator() { return made_up_emulator(); }
+ObservationSet measured(double friction, double elements, double cohesion, double density) { return measured_in_made_up_world(friction, elements, cohesion, density); }
 
 Eigen::MatrixXd material(double friction, double elements) {
   Eigen::MatrixXd out(2, 1);
@@ -46,7 +22,7 @@ Eigen::MatrixXd material(double friction, double elements) {
 
 TEST(Emulator, PredictsMaterialsItHasNotSeen) {
   const Predicted p = emulator().predict(material(0.47, 4));
-  const auto truth = World::measure(0.47, 4, 0, 0, 5);
+  const auto truth = MadeUpWorld::measure(0.47, 4, 0, 0, 5);
   for (int j = 0; j < 3; ++j) {
     EXPECT_NEAR(p.mean(j, 0), truth[static_cast<std::size_t>(j)], 3 * std::sqrt(p.variance(j, 0) + emulator().noise()[j])) << j;
     EXPECT_LT(p.variance(j, 0), 2 * emulator().noise()[j]) << j;
@@ -69,23 +45,9 @@ TEST(Emulator, EffectsMoveWhatTheyMove) {
 }
 
 TEST(Emulator, KeptKernelsGiveTheSameBits) {
-  const World world;
+  const MadeUpWorld world;
   const auto again = Emulator::from(world.bank, emulator().kernels());
   EXPECT_EQ(again->predict(material(0.2, 6)).mean, emulator().predict(material(0.2, 6)).mean);
-}
-
-/// Three specimens of a material, measured.
-ObservationSet measured(double friction, double elements, double cohesion, double density) {
-  ObservationSet set;
-  set.specimen.particles = 300;
-  const char* ids[] = {"contacts_per_particle", "bulk_density", "repose_angle"};
-  const char* units[] = {"1", "kg/m3", "rad"};
-  for (int j = 0; j < 3; ++j) {
-    double mean = 0;
-    for (int seed = 0; seed < 3; ++seed) mean += World::measure(friction, elements, cohesion, density, 9000 + seed)[static_cast<std::size_t>(j)] / 3;
-    set.scalars.push_back({.id = ids[j], .value = mean, .unit = units[j], .unit_as_read = units[j], .standard_error = std::sqrt(emulator().noise()[j] / 3), .seeds = 3, .definition = {}});
-  }
-  return set;
 }
 
 TEST(Diagnosis, NamesAStrongEffectAndItsStrength) {
@@ -180,6 +142,36 @@ TEST(Diagnosis, NothingToCompareIsAnError) {
   ObservationSet set;
   set.scalars.push_back({.id = "sigma1_at_sigma3_7kPa", .value = 9, .unit = "Pa", .unit_as_read = "Pa", .standard_error = 1, .definition = {}, .sigma3 = 7000});
   EXPECT_EQ(diagnose(emulator(), set, {}).error().code, Code::kFailedPrecondition);
+}
+
+/// A bank with sigma1 alone, at two stresses.
+const Emulator& strength_emulator() {
+  static const auto made = [] {
+    Bank bank{.inputs = {{"theta_F", "rad"}}, .features = {"bulk_density", "sigma1_ratio_1.25", "sigma1_ratio_10"}, .rows = {}};
+    for (int k = 0; k < 60; ++k) {
+      const double friction = golden(k / 2, 0.618), common = 0.05 * std::sin(77.0 * k);
+      bank.rows.push_back({.experiment = "n", .point = k / 2, .seed = static_cast<std::uint64_t>(k % 2), .profile = "quick", .inputs = {friction},
+                           .features = {1600 - 50 * friction + 20 * common, 0.7 + friction + common, 0.7 + friction + common + 0.02 * std::cos(13.0 * k)}});
+    }
+    return Emulator::from(bank);
+  }();
+  return *made;
+}
+
+TEST(Comparison, TakesCohesionAndFrictionAngleAsTwoFeaturesThatErrTogether) {
+  ObservationSet set;
+  const auto scalar = [&](const char* id, double value, const char* unit, double error) {
+    set.scalars.push_back({.id = id, .value = value, .unit = unit, .unit_as_read = unit, .standard_error = error, .definition = {}});
+  };
+  scalar("bulk_density", 1580, "kg/m3", 5), scalar("cohesion", 1000, "Pa", 300), scalar("friction_angle_internal", 0.7, "rad", 0.001);
+  const Comparison c = compare(strength_emulator(), set);
+  ASSERT_EQ(c.size(), 3);
+  EXPECT_EQ(c.measured[1].id, "sigma1_ratio_1.25");
+  EXPECT_NEAR(c.measured[1].value, std::log(std::pow(std::tan(0.7853981634 + 0.35), 2) + 2 * 1000 * std::tan(0.7853981634 + 0.35) / 1250), 1e-9);
+  EXPECT_EQ(c.correlation(0, 1), 0);  // a balance and a load cell
+  const double together = c.correlation(1, 2) * std::sqrt(c.variance[1] * c.variance[2]);
+  EXPECT_NEAR(together, c.measured[1].standard_error * c.measured[2].standard_error, 0.01 * together);  // the cohesion's error moves both
+  EXPECT_GT(Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(c.covariance(Eigen::VectorXd::Zero(3))).eigenvalues().minCoeff(), 0);
 }
 
 }  // namespace
