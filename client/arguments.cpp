@@ -162,10 +162,10 @@ struct Tree {
     sub->add_flag("--assume-errors", arguments.assume_errors, "where no standard error is given, a stated default, marked in every report");
   }
 
-  void diagnosis_of(CLI::App* sub) {
+  /// A file of measurements, and what it is compared with.
+  void question_of(CLI::App* sub) {
     measurements_of(sub);
-    sub->add_option("--bank", arguments.bank, "another bank than the program's own")->type_name("FILE");
-    sub->add_option("--kernels", arguments.kernels, "of that bank, as `gap emulate` wrote them")->type_name("FILE");
+    bank_of(sub);
     sub->add_option("--seed", arguments.random_seed, "of the sampler [1]")->type_name("N");
   }
 
@@ -182,10 +182,24 @@ struct Tree {
     auto* emulate = verb(*gap, "emulate", "fit a bank's emulators, so that a diagnosis need not; minutes");
     emulate->add_option("BANK", arguments.bank, "bank.csv")->required();
     output_of(emulate);
-    auto* diagnose = verb(*gap, "diagnose", "where the simulation is wrong, which effect explains it, or none of these");
-    diagnosis_of(diagnose);
+    auto* locate = verb(*gap, "locate", "only where the simulation is wrong: each group of measurements beside what the others foretell");
+    question_of(locate);
+    auto* diagnose = verb(*gap, "diagnose", "where the simulation is wrong, which effect explains it, or none of these; killed, it goes on where it was");
+    question_of(diagnose);
     diagnose->add_option("--report", arguments.output, "also as one HTML file")->type_name("FILE");
-    diagnosis_of(verb(*gap, "next", "which test would tell most about which cause it is, per hour; a diagnosis comes first"));
+    auto* confirm = verb(*gap, "confirm", "how far the gap shrinks: new DEM runs, measured on stress levels that the fit has not seen");
+    question_of(confirm);
+    confirm->add_option("--draws", arguments.draws, "runs of each model, drawn from its posterior [8]")->check(CLI::Range(4, 12))->type_name("N");
+    confirm->add_option("--budget", arguments.time_budget, "as many draws as fit into this time, four at least [1h]")->type_name("TIME");
+    confirm->add_option("--report", arguments.output, "also as one HTML file")->type_name("FILE");
+    workers_of(confirm);
+    verb(*gap, "ls", "diagnoses in the store");
+    auto* show = verb(*gap, "show", "a diagnosis in the store");
+    show->add_option("ID", arguments.diagnosis, "its id, the start of it, or the observation file")->required();
+    auto* report = verb(*gap, "report", "a diagnosis in the store as one HTML file that needs no script and no network");
+    report->add_option("ID", arguments.diagnosis, "its id, the start of it, or the observation file")->required();
+    report->add_option("-o,--output", arguments.output, "the file")->type_name("FILE")->required();
+    question_of(verb(*gap, "next", "which test would tell most about which cause it is, per hour; a diagnosis comes first"));
     add_blind_verbs(*gap);
   }
 

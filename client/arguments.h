@@ -55,6 +55,9 @@ struct Arguments {
   std::string observations;              ///< OBSERVATIONS.yaml, or a CSV with its map
   std::string map;                       ///< MAP.yaml of a CSV
   bool assume_errors = false;
+  std::string diagnosis;                 ///< of `gap show` and `gap report`: an id, its start, or an observation file
+  unsigned draws = 8;                    ///< of `gap confirm`, of each model
+  std::string time_budget = "1h";        ///< of `gap confirm`
 
   std::string folder;                ///< of `gap blind`: DIR
   std::string key;                   ///< its key's file; empty = beside DIR

@@ -16,6 +16,7 @@ using Clock = std::chrono::steady_clock;
 
 constexpr auto kCallLimit = 120s;    // analysis of the largest designs is far below
 constexpr auto kStreamLimit = 5min;  // a stream is renewed, so that a peer that vanished without a word is noticed
+constexpr auto kFitLimit = 1h;  // a bank without kernels is fitted first
 constexpr auto kTrainLimit = 6h;
 constexpr auto kReachLimit = 10s;
 constexpr auto kTryAgainEvery = 200ms;
@@ -118,10 +119,15 @@ Lab::~Lab() = default;
 /// Every call of this service may be repeated, so one that did not get through is, for as long as our patience lasts.
 template <class Call>
 Outcome Lab::unary(const Call& call) {
+  return unary(call, kCallLimit);
+}
+
+template <class Call>
+Outcome Lab::unary(const Call& call, std::chrono::seconds limit) {
   const auto give_up = Clock::now() + options_.patience;
   while (true) {
     grpc::ClientContext context;
-    context.set_deadline(wall(kCallLimit));
+    context.set_deadline(wall(limit));
     const Cancelling cancelling(context, options_.stops);
     const grpc::Status status = call(context);
     const bool again = status.error_code() == grpc::StatusCode::UNAVAILABLE && Clock::now() < give_up;
@@ -230,14 +236,48 @@ Outcome Lab::emulate(const pb::EmulateRequest& request, pb::EmulateReply& reply)
   return outcome_of(stubs_->gaps->Emulate(&context, request, &reply), options_.address);
 }
 
-Outcome Lab::diagnose(const pb::DiagnoseRequest& request, const std::function<void(const pb::DiagnoseEvent&)>& on_step, pb::DiagnoseEvent& last) {
-  grpc::ClientContext context;
-  const auto stream = stubs_->gaps->Diagnose(&context, request);
-  for (pb::DiagnoseEvent event; stream->Read(&event);) {
-    if (event.has_diagnosis() || !event.diagnostics().empty()) last = event;
-    else on_step(event);
+/// Patience counts from the last step seen: a scheduler that comes back has lost at most the step it was at.
+template <class Open>
+Outcome Lab::steps(const Open& open, const std::function<void(const pb::DiagnoseEvent&)>& on_step, pb::DiagnoseEvent& last) {
+  auto give_up = Clock::now() + options_.patience;
+  while (true) {
+    grpc::ClientContext context;
+    const Cancelling cancelling(context, options_.stops);
+    const auto stream = open(context);
+    for (pb::DiagnoseEvent event; stream->Read(&event);) {
+      if (event.has_diagnosis() || !event.diagnostics().empty()) last = event;
+      else on_step(event);
+      give_up = Clock::now() + options_.patience;
+    }
+    const grpc::Status status = stream->Finish();
+    const bool again = status.error_code() == grpc::StatusCode::UNAVAILABLE && Clock::now() < give_up;
+    if (!again || any_stopped(options_.stops)) return outcome_of(status, options_.address);
+    std::this_thread::sleep_for(kTryAgainEvery);
   }
-  return outcome_of(stream->Finish(), options_.address);
+}
+
+Outcome Lab::diagnose(const pb::DiagnoseRequest& request, const std::function<void(const pb::DiagnoseEvent&)>& on_step, pb::DiagnoseEvent& last) {
+  return steps([&](auto& context) { return stubs_->gaps->Diagnose(&context, request); }, on_step, last);
+}
+
+Outcome Lab::locate(const pb::DiagnoseRequest& request, const std::function<void(const pb::DiagnoseEvent&)>& on_step, pb::DiagnoseEvent& last) {
+  return steps([&](auto& context) { return stubs_->gaps->Locate(&context, request); }, on_step, last);
+}
+
+Outcome Lab::diagnoses(pb::ListDiagnosesReply& reply) {
+  return unary([&](auto& context) { return stubs_->gaps->ListDiagnoses(&context, {}, &reply); });
+}
+
+Outcome Lab::diagnosis(const pb::GetDiagnosisRequest& request, pb::StoredDiagnosis& reply) {
+  return unary([&](auto& context) { return stubs_->gaps->GetDiagnosis(&context, request, &reply); });
+}
+
+Outcome Lab::plan_confirmation(const pb::PlanRequest& request, pb::PlanReply& reply) {
+  return unary([&](auto& context) { return stubs_->gaps->PlanConfirmation(&context, request, &reply); });
+}
+
+Outcome Lab::measure_shrinkage(const pb::ShrinkageRequest& request, pb::StoredDiagnosis& reply) {
+  return unary([&](auto& context) { return stubs_->gaps->MeasureShrinkage(&context, request, &reply); }, kFitLimit);
 }
 
 Outcome Lab::draw_blind(const pb::BlindDrawRequest& request, pb::BlindDrawReply& reply) {

@@ -43,8 +43,13 @@ class Lab {
   Outcome import_observations(const pb::ImportRequest& request, pb::ImportReply& reply);
   Outcome bank(const pb::BankRequest& request, pb::BankReply& reply);
   Outcome emulate(const pb::EmulateRequest& request, pb::EmulateReply& reply);
-  /// The last event holds the diagnosis, or why the files were refused.
+  /// The last event holds the diagnosis, or why the files were refused. A stream that broke is asked for again: it goes on where it was.
   Outcome diagnose(const pb::DiagnoseRequest& request, const std::function<void(const pb::DiagnoseEvent&)>& on_step, pb::DiagnoseEvent& last);
+  Outcome locate(const pb::DiagnoseRequest& request, const std::function<void(const pb::DiagnoseEvent&)>& on_step, pb::DiagnoseEvent& last);
+  Outcome diagnoses(pb::ListDiagnosesReply& reply);
+  Outcome diagnosis(const pb::GetDiagnosisRequest& request, pb::StoredDiagnosis& reply);
+  Outcome plan_confirmation(const pb::PlanRequest& request, pb::PlanReply& reply);
+  Outcome measure_shrinkage(const pb::ShrinkageRequest& request, pb::StoredDiagnosis& reply);
   Outcome draw_blind(const pb::BlindDrawRequest& request, pb::BlindDrawReply& reply);
   Outcome design_blind(const pb::BlindTruth& request, pb::BlindDesignReply& reply);
   Outcome observe_blind(const pb::BlindObserveRequest& request, pb::BlindObserveReply& reply);
@@ -64,7 +69,11 @@ class Lab {
  private:
   struct Stubs;
   template <class Call>
+  Outcome unary(const Call& call, std::chrono::seconds limit);
+  template <class Call>
   Outcome unary(const Call& call);
+  template <class Open>
+  Outcome steps(const Open& open, const std::function<void(const pb::DiagnoseEvent&)>& on_step, pb::DiagnoseEvent& last);
 
   Options options_;
   std::unique_ptr<Stubs> stubs_;

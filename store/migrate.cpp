@@ -21,6 +21,15 @@ constexpr const char* kMigrations[] = {
     "id TEXT PRIMARY KEY, name TEXT NOT NULL, created_ms INTEGER NOT NULL, file TEXT NOT NULL) STRICT, WITHOUT ROWID;",
     "ALTER TABLE job ADD COLUMN effects TEXT NOT NULL DEFAULT '';",  // "cohesion=200;rolling_resistance=0.3"; '' = the base model, as it was
     "ALTER TABLE job ADD COLUMN isotropic_servo_steps REAL NOT NULL DEFAULT 50;",
+    // Diagnoses. `id` is the digest of all that an answer is a function of; steps are kept as they are finished, so that one that was
+    // killed goes on with them.
+    "CREATE TABLE diagnosis (id TEXT PRIMARY KEY, case_name TEXT NOT NULL, created_ms INTEGER NOT NULL, ended_ms INTEGER,"
+    " observations TEXT NOT NULL, bank TEXT NOT NULL, kernels TEXT NOT NULL, method TEXT NOT NULL,"  // SHA-256
+    " options TEXT NOT NULL, held_out TEXT NOT NULL,"  // JSON; groups that the fit did not see: '' = it saw all
+    " measurements BLOB NOT NULL, result TEXT NOT NULL, shrinkage TEXT NOT NULL) STRICT, WITHOUT ROWID;"  // regolab.v1.ImportRequest; JSON
+    "CREATE INDEX diagnosis_observations ON diagnosis (observations);"
+    "CREATE TABLE diagnosis_step (diagnosis TEXT NOT NULL REFERENCES diagnosis, name TEXT NOT NULL, done_ms INTEGER NOT NULL,"
+    " result BLOB NOT NULL, PRIMARY KEY (diagnosis, name)) STRICT;",
 };
 static_assert(std::size(kMigrations) == kSchemaVersion);
 

@@ -5,7 +5,7 @@
 namespace regolab {
 
 inline constexpr int kApplicationId = 0x5245474f;  ///< "REGO"
-inline constexpr int kSchemaVersion = 6;
+inline constexpr int kSchemaVersion = 7;
 
 /// Reads only. kFailedPrecondition: the file is another program's, or a newer regolab's.
 Result<void> check_header(Database& db);

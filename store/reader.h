@@ -22,6 +22,12 @@ class Reader {
   Result<std::vector<ModelRecord>> models();
   /// By id, or the start of one; kNotFound.
   Result<ModelRecord> model(const std::string& id);
+  /// Newest first; without measurements.
+  Result<std::vector<DiagnosisRecord>> diagnoses();
+  /// By id, or the start of one; kNotFound, kInvalidArgument when several start so.
+  Result<DiagnosisRecord> diagnosis(const std::string& id);
+  /// Of one diagnosis, in the order they were done.
+  Result<std::vector<DiagnosisStep>> diagnosis_steps(const std::string& id);
 
  private:
   explicit Reader(Database db) : db_(std::move(db)) {}

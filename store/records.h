@@ -69,6 +69,26 @@ struct ModelRecord {
   std::string file;
 };
 
+/// A diagnosis, finished or not. What it says is JSON; digests are SHA-256.
+struct DiagnosisRecord {
+  std::string id;  ///< digest of all that the answer is a function of
+  std::string case_name;
+  std::int64_t created_ms = 0;  ///< Unix time
+  std::optional<std::int64_t> ended_ms;
+  std::string observations, bank, kernels, method;  ///< digests
+  std::string options;
+  std::string held_out;      ///< groups that the fit did not see; empty: it saw all
+  std::string measurements;  ///< the file as it was handed in
+  std::string result;        ///< empty until it has ended
+  std::string shrinkage;     ///< what new runs measured; empty without
+};
+
+struct DiagnosisStep {
+  std::string name;  ///< "evidence: cohesion"
+  std::int64_t done_ms = 0;
+  std::string result;
+};
+
 struct StoredResponse {
   int point = 0;
   std::uint64_t seed = 0;

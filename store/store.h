@@ -55,6 +55,13 @@ class Store {
   /// Known already: its time is renewed, so that it is the newest.
   Result<void> add_model(const ModelRecord& record);
 
+  /// Known already: nothing changes.
+  Result<void> add_diagnosis(const DiagnosisRecord& record);
+  /// Known already: nothing changes. kAborted: no such diagnosis.
+  Result<void> add_diagnosis_step(const std::string& diagnosis, const DiagnosisStep& step);
+  Result<void> end_diagnosis(const std::string& id, const std::string& result, std::int64_t unix_ms);
+  Result<void> set_shrinkage(const std::string& id, const std::string& shrinkage);
+
   Result<void> add_event(ExperimentId id, std::uint64_t seq, std::int64_t unix_ms, const std::string& text);
   Result<std::vector<EventRecord>> events(ExperimentId id, std::uint64_t from_seq, int limit);
 

@@ -5,12 +5,12 @@
 
 #include "client/commands/commands.h"
 #include "client/commands/gap.h"
+#include "client/commands/work.h"
 #include "client/file_read.h"
 #include "client/design_source.h"
 #include "client/file_write.h"
 #include "client/json_view.h"
 #include "client/session.h"
-#include "client/views/gap_html.h"
 #include "client/views/gap_next.h"
 #include "client/views/gap_text.h"
 
@@ -20,6 +20,29 @@ namespace {
 Json strength_json(const pb::EffectStrength& s) {
   return {{"effect", s.effect()}, {"unit", s.unit_si()}, {"median", s.median()}, {"q05", s.low_05()}, {"q95", s.high_95()}};
 }
+
+Json optional_json(bool has, double value) { return has ? Json(value) : Json(); }
+
+Json json_of(const pb::FittedFeature& f) {
+  Json out{{"id", f.id()}, {"group", f.group()}, {"unit", f.unit()}, {"held_out", f.held_out()}, {"measured", f.measured()}, {"measured_error", f.measured_error()},
+           {"base", f.base()}, {"base_error", f.base_error()}, {"repaired", optional_json(f.has_repaired(), f.repaired())},
+           {"repaired_error", optional_json(f.has_repaired_error(), f.repaired_error())}};
+  if (f.base_runs() > 0) out["base_runs"] = f.base_runs(), out["repaired_runs"] = f.repaired_runs();
+  return out;
+}
+
+Json json_of(const pb::Shrinkage& s) {
+  Json out{{"S", optional_json(s.has_s(), s.s())}, {"q05", optional_json(s.has_q05(), s.q05())}, {"q95", optional_json(s.has_q95(), s.q95())},
+           {"heldout", std::vector<std::string>(s.heldout().begin(), s.heldout().end())}, {"emulator_S", optional_json(s.has_emulator_s(), s.emulator_s())},
+           {"undefined", s.undefined().empty() ? Json() : Json(s.undefined())}, {"model", s.model()}, {"base_gap", s.base_gap()}, {"base_gap_noise_95", s.base_gap_noise_95()},
+           {"repaired_gap", optional_json(s.has_repaired_gap(), s.repaired_gap())}, {"draws", s.draws()}, {"diagnosis", s.diagnosis()},
+           {"experiments", std::vector<std::string>(s.experiments().begin(), s.experiments().end())}, {"features", Json::array()},
+           {"warnings", std::vector<std::string>(s.warnings().begin(), s.warnings().end())}};
+  for (const auto& f : s.features()) out["features"].push_back(json_of(f));
+  return out;
+}
+
+}  // namespace
 
 void add_diagnosis(const pb::Diagnosis& d, Json& out) {
   out["case"] = d.case_name();
@@ -37,13 +60,16 @@ void add_diagnosis(const pb::Diagnosis& d, Json& out) {
   }
   for (const auto& i : d.isolability()) out["isolability"].push_back({{"effect", i.effect()}, {"sigma", i.sigma()}, {"twin", i.twin()}, {"cosine", i.cosine()}});
   out["adequacy"] = {{"p", d.adequacy_p()}, {"threshold", d.adequacy_threshold()}};
-  out["shrinkage"] = Json();
+  out["shrinkage"] = d.has_shrinkage() ? json_of(d.shrinkage()) : Json();
+  out["held_out"] = std::vector<std::string>(d.held_out().begin(), d.held_out().end());
+  out["repaired"] = d.repaired().empty() ? Json() : Json(d.repaired());
+  out["fits"] = Json::array();
+  for (const auto& f : d.fits()) out["fits"].push_back(json_of(f));
   out["next_tests"] = next_json(d);
   out["warnings"] = std::vector<std::string>(d.warnings().begin(), d.warnings().end());
-  out["provenance"] = {{"bank", d.bank()}, {"features", d.features()}, {"seed", d.seed()}, {"physics_version", d.physics_version()}};
+  out["provenance"] = {{"bank", d.bank()}, {"features", d.features()}, {"seed", d.seed()}, {"physics_version", d.physics_version()},
+                       {"diagnosis", d.id()}, {"kernels", d.kernels()}, {"method", d.method()}};
 }
-
-}  // namespace
 
 Outcome read_bank_files(const Arguments& arguments, pb::DiagnoseRequest& request) {
   std::string text;
@@ -73,54 +99,70 @@ Outcome gap_emulate(const Arguments& arguments, Console& console) {
   return done();
 }
 
-namespace {
-
-/// Diagnoses with progress on stderr. The file may have been refused: see the diagnostics of `last`.
-Outcome diagnose(const Arguments& arguments, Console& console, Session& session, pb::DiagnoseRequest& request, pb::DiagnoseEvent& last) {
+Outcome open_question(const Arguments& arguments, Console& console, pb::DiagnoseRequest& request, Session& session) {
   if (auto read = read_measurements(arguments, *request.mutable_measurements()); !read.ok()) return read;
   if (auto read = read_bank_files(arguments, request); !read.ok()) return read;
   request.mutable_measurements()->set_want_file(false);  // --report is another file
   request.set_seed(arguments.random_seed);
-  if (auto opened = open_session(arguments, Need::kScratch, session); !opened.ok()) return opened;
+  if (auto opened = open_session(arguments, Need::kStoredOrScratch, session); !opened.ok()) return opened;
+  pb::ImportReply judged;
+  if (auto got = session.lab->import_observations(request.measurements(), judged); !got.ok()) return session.explain(got);
+  if (!judged.diagnostics().empty()) return rejected(from_proto(judged.diagnostics()), arguments, console);
+  return session.scratch ? open_session(arguments, Need::kCreate, session) : done();
+}
+
+Outcome run_diagnosis(const Arguments& arguments, const pb::DiagnoseRequest& request, Session& session, Console& console, pb::Diagnosis& diagnosis) {
   const auto start = std::chrono::steady_clock::now();
   const auto show = [&](const pb::DiagnoseEvent& event) {
     const double spent = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     const std::string left = event.done() < 2 ? "" : fmt::format(", about {:.0f} s left", spent / event.done() * (event.of() - event.done()));
     console.err << fmt::format("{}/{}: {}{}\n", event.done() + 1, event.of(), event.what(), left) << std::flush;
   };
-  if (auto got = session.lab->diagnose(request, show, last); !got.ok()) return session.explain(got);
-  return last.diagnostics().empty() ? done() : rejected(from_proto(last.diagnostics()), arguments, console);
+  pb::DiagnoseEvent last;
+  if (auto got = session.lab->diagnose(request, show, last); !got.ok()) {
+    if (got.exit == Exit::kInterrupted) return leave_interrupted(arguments, "regolab" + arguments.original_line, session, console);
+    return session.explain(got);
+  }
+  if (!last.diagnostics().empty()) return rejected(from_proto(last.diagnostics()), arguments, console);
+  if (last.stored()) console.err << fmt::format("diagnosis {} is known already\n", last.diagnosis().id().substr(0, 12)) << std::flush;
+  diagnosis = last.diagnosis();
+  return done();
 }
 
-}  // namespace
+std::string question_words(const Arguments& arguments) {
+  std::string words = arguments.observations;
+  const auto add = [&](const char* option, const std::string& value) { words += value.empty() ? "" : std::string(" ") + option + " " + value; };
+  add("--map", arguments.map), add("--bank", arguments.bank), add("--kernels", arguments.kernels);
+  if (arguments.assume_errors) words += " --assume-errors";
+  return words;
+}
 
 Outcome gap_diagnose(const Arguments& arguments, Console& console) {
-  Session session;
   pb::DiagnoseRequest request;
-  pb::DiagnoseEvent last;
-  if (auto got = diagnose(arguments, console, session, request, last); !got.ok()) return got;
+  Session session;
+  if (auto opened = open_question(arguments, console, request, session); !opened.ok()) return opened;
+  pb::Diagnosis diagnosis;
+  if (auto found = run_diagnosis(arguments, request, session, console, diagnosis); !found.ok()) return found;
   if (!arguments.output.empty()) {
-    pb::ImportReply measured;
-    if (auto got = session.lab->import_observations(request.measurements(), measured); !got.ok()) return session.explain(got);
-    if (auto written = write_file(arguments.output, diagnosis_html(last.diagnosis(), measured)); !written.ok()) return written;
+    if (auto written = write_report(diagnosis.id(), arguments.output, session); !written.ok()) return written;
   }
   if (arguments.json) {
     Json out = document("gap-diagnose");
-    add_diagnosis(last.diagnosis(), out);
-    console.out << text_of(out);
-  } else {
-    console.out << diagnosis_text(last.diagnosis());
+    add_diagnosis(diagnosis, out);
+    console.out << text_of(out) << std::flush;
+    return done();
   }
-  console.out << std::flush;
+  console.out << diagnosis_text(diagnosis) << std::flush;
+  if (!diagnosis.has_shrinkage() && !diagnosis.repaired().empty()) hint(arguments, console, "gap confirm " + question_words(arguments));
   return done();
 }
 
 Outcome gap_next(const Arguments& arguments, Console& console) {
-  Session session;
   pb::DiagnoseRequest request;
-  pb::DiagnoseEvent last;
-  if (auto got = diagnose(arguments, console, session, request, last); !got.ok()) return got;
-  const pb::Diagnosis& d = last.diagnosis();
+  Session session;
+  if (auto opened = open_question(arguments, console, request, session); !opened.ok()) return opened;
+  pb::Diagnosis d;
+  if (auto found = run_diagnosis(arguments, request, session, console, d); !found.ok()) return found;
   if (arguments.json) {
     Json out = document("gap-next");
     out["case"] = d.case_name();

@@ -57,10 +57,16 @@ std::string which_line(const pb::Diagnosis& d) {
 }  // namespace
 
 std::vector<std::string> diagnosis_lines(const pb::Diagnosis& d) {
-  return {"where   " + where_line(d), "which   " + which_line(d),
+  return {"where   " + where_line(d), "which   " + which_line(d), "shrinks " + shrinkage_line(d),
           fmt::format("sure    {} features, misfit of the best model p = {:.2g}{}", d.features(), d.adequacy_p(),
                       d.adequacy_p() < d.adequacy_threshold() ? ": it does not explain them" : ""),
           next_line(d)};
+}
+
+std::string where_text(const pb::Diagnosis& d) {
+  Table table({{"group", "", Align::kLeft}, {"off most", "", Align::kLeft}, {"off by", "sigma"}, {"p, adjusted"}});
+  for (const auto& g : d.where()) table.add({g.group(), g.text(), fmt::format("{:+.1f}", g.z()), fmt::format("{:.2g}", g.p_adjusted())});
+  return "where   " + where_line(d) + "\n\n" + table.text();
 }
 
 std::string diagnosis_text(const pb::Diagnosis& d) {

@@ -11,6 +11,13 @@ std::vector<std::string> factor_columns(const Design& design) {
   return lines;
 }
 
+std::vector<std::uint64_t> seeds_of(const Design& design, const DesignPoint& point) {
+  std::vector<std::uint64_t> seeds = design.seeds;
+  if (!design.own_seeds) return seeds;
+  for (std::uint64_t& seed : seeds) seed += static_cast<std::uint64_t>(point.point - 1) * design.seeds.size();
+  return seeds;
+}
+
 std::size_t stages_per_run(const Design& design) {
   return 2 + (design.repose ? 1 : 0) + design.confining_stresses.size() + design.plates.size();
 }

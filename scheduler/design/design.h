@@ -39,12 +39,16 @@ struct Design {
   std::vector<DesignFactor> factors;
   std::vector<DesignPoint> points;
   std::vector<std::uint64_t> seeds;          ///< every point is run with each of them
+  bool own_seeds = false;                    ///< each point has seeds of its own instead: those of the first, counted on (see seeds_of)
   bool repose = false;                       ///< settling and the fabric measurement are always done
   std::vector<double> confining_stresses;    ///< sigma3 of the stress tests [Pa], ascending; empty = none
   std::vector<PlateSize> plates;             ///< of the penetration test, thin ones first; empty = none
   std::map<std::string, std::string> fixed;  ///< what does not vary, as shown: "gravity" -> "1.63 m/s2"
   std::vector<std::string> notes;            ///< worth reading before it runs
 };
+
+/// The seeds that a point is run with.
+std::vector<std::uint64_t> seeds_of(const Design& design, const DesignPoint& point);
 
 /// "theta_F: 4 levels, column 1", one line per factor.
 std::vector<std::string> factor_columns(const Design& design);

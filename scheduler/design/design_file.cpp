@@ -33,15 +33,36 @@ std::vector<std::uint64_t> first_seeds(std::uint64_t count) {
   return seeds;
 }
 
-/// `seeds: 3` is 1, 2, 3; `seeds: [1, 7]` is a list; default one seed.
-std::vector<std::uint64_t> read_seeds(MapReader& top, unsigned override_count, Report& report) {
+struct Seeds {
+  std::vector<std::uint64_t> numbers = first_seeds(1);
+  bool own = false;
+};
+
+/// `{first: 1000, each: 2}`: the first point has 1000 and 1001, the next 1002 and 1003.
+Seeds read_own_seeds(const YamlNode& node, Report& report) {
+  constexpr std::uint64_t kLargestFirst = kLargestSeed - kMostSeeds * kMostStages;
+  MapReader block(node, "seeds", report);
+  const YamlNode* first = block.need("first", "first: 1000");
+  const YamlNode* each = block.get("each");
+  block.finish();
+  Seeds seeds{first_seeds(each ? read_whole(*each, 1, kMostSeeds, "seeds.each", report).value_or(1) : 1), true};
+  const std::uint64_t from = first ? read_whole(*first, 0, kLargestFirst, "seeds.first", report).value_or(1) : 1;
+  for (std::uint64_t& seed : seeds.numbers) seed += from - 1;
+  return seeds;
+}
+
+/// `seeds: 3` is 1, 2, 3; `seeds: [1, 7]` is a list; a map gives every point seeds of its own; default one seed.
+Seeds read_seeds(MapReader& top, unsigned override_count, Report& report) {
   if (override_count > kMostSeeds) {
     report.add({},
                "--seeds " + std::to_string(override_count) + " (at most " + std::to_string(kMostSeeds) + ") ask for fewer");
   }
   const YamlNode* node = top.get("seeds");
   std::vector<std::uint64_t> seeds = first_seeds(1);
-  if (node != nullptr && node->is_list()) {
+  if (node != nullptr && node->is_map()) {
+    Seeds own = read_own_seeds(*node, report);
+    if (override_count == 0) return own;
+  } else if (node != nullptr && node->is_list()) {
     seeds.clear();
     for (const YamlNode& item : node->items) {
       const auto seed = read_whole(item, 0, kLargestSeed, "seeds", report);
@@ -58,7 +79,7 @@ std::vector<std::uint64_t> read_seeds(MapReader& top, unsigned override_count, R
   } else if (node != nullptr) {
     seeds = first_seeds(read_whole(*node, 1, kMostSeeds, "seeds", report).value_or(1));
   }
-  return override_count > 0 && override_count <= kMostSeeds ? first_seeds(override_count) : seeds;
+  return {override_count > 0 && override_count <= kMostSeeds ? first_seeds(override_count) : seeds};
 }
 
 /// What the file says before points are made from it.
@@ -234,7 +255,7 @@ Read<Design> read_design(const DesignFiles& files, const DesignOverrides& overri
   std::vector<Diagnostic> elsewhere;
   const std::string name = read_study_name(top, report);
   const std::string profile = read_profile(top, overrides.profile, parts.base.numerics, report);
-  std::vector<std::uint64_t> seeds = read_seeds(top, overrides.seeds, report);
+  Seeds seeds = read_seeds(top, overrides.seeds, report);
   parts.set_elsewhere = read_numerics(top, parts.base, report);
   read_box(top, parts.base.numerics, report);
   const auto effects = read_effects(top, parts.base, report);
@@ -255,11 +276,12 @@ Read<Design> read_design(const DesignFiles& files, const DesignOverrides& overri
     Design design = make_design(parts);
     design.name = name;
     design.profile = profile;
-    design.seeds = std::move(seeds);
+    design.seeds = std::move(seeds.numbers);
+    design.own_seeds = seeds.own;
     design.repose = tests.repose;
     design.confining_stresses = std::move(tests.confining_stresses);
     design.plates = std::move(tests.plates);
-    check_distinct(design, place_of_key(*root, "array"), report);
+    if (!design.own_seeds) check_distinct(design, place_of_key(*root, "array"), report);
     check_points(design.points, place_of_key(*root, "box"), box_problem, report);
     const auto fits = [&](const Settings& settings) { return plate_problem(settings, design.plates); };
     check_points(design.points, place_of_key(*root, "penetration"), fits, report);

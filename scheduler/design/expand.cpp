@@ -65,7 +65,7 @@ std::vector<StageSpec> expand(const Design& design, const DesignPoint& point, st
 std::vector<StageSpec> expand(const Design& design) {
   std::vector<StageSpec> all;
   for (const DesignPoint& point : design.points) {
-    for (const std::uint64_t seed : design.seeds) {
+    for (const std::uint64_t seed : seeds_of(design, point)) {
       const std::vector<StageSpec> stages = expand(design, point, seed);
       all.insert(all.end(), stages.begin(), stages.end());
     }
@@ -118,7 +118,7 @@ ResultTable empty_table(const Design& design, const std::string& experiment) {
                     .rows = {}};
   for (const DesignFactor& factor : design.factors) table.factors.push_back({factor.name, factor.unit, factor.labels});
   for (const DesignPoint& point : design.points) {
-    for (const std::uint64_t seed : design.seeds) {
+    for (const std::uint64_t seed : seeds_of(design, point)) {
       table.rows.push_back({.point = point.point, .seed = seed, .level = point.level, .value = {}, .missing = {}});
     }
   }

@@ -17,7 +17,6 @@ using Eigen::VectorXd;
 
 constexpr int kReplicates = 1000;
 constexpr int kParticlesOfWhere = 150;  // one fit for each group
-constexpr std::string_view kReadByAGauge = "_measured";  // of a lateral stress offset that is no secret
 constexpr std::uint64_t kUnseenStream = 3000;
 constexpr std::size_t kPaired = 4;  // best single effects that are tried in pairs
 
@@ -30,6 +29,18 @@ Strength strength_of(const Emulator& emulator, std::size_t cause, const VectorXd
   const EffectInfo& effect = *emulator.causes()[cause].effect;
   const std::vector<double> v(draws.data(), draws.data() + draws.size());
   return {std::string(effect.name), std::string(effect.si), quantile(v, 0.5), quantile(v, 0.05), quantile(v, 0.95)};
+}
+
+/// Evenly over the particles.
+std::vector<Draw> draws_of(const Likelihood& model, const MatrixXd& u, std::size_t n_causes) {
+  std::vector<Draw> out;
+  for (int k = 0; k < kDraws; ++k) {
+    const MatrixXd one = u.col(k * u.cols() / kDraws), values = model.values(one);
+    Draw draw{.values = {values.data(), values.data() + values.size()}, .strength = {}};
+    for (std::size_t c = 0; c < n_causes; ++c) draw.strength.push_back(model.strength(one, c)[0]);
+    out.push_back(std::move(draw));
+  }
+  return out;
 }
 
 /// Share of data sets, drawn from the model at its best and fitted anew, that would misfit it more: without the new fit the measured set,
@@ -89,6 +100,7 @@ struct Search {
   const std::map<std::string, Stated>& stated;
   const MatrixXd& library;
   SmcOptions smc;
+  const StepMemory* memory;
   std::vector<Weighed> models = {};
   std::map<std::string, Posterior> posteriors = {};
 
@@ -96,9 +108,10 @@ struct Search {
     const Likelihood likelihood(emulator, comparison, hypothesis, stated, library);
     SmcOptions own = smc;
     own.seed += stream;
-    Posterior posterior = sample_posterior(likelihood, likelihood.parameters(), own);
-    Weighed weighed{.model = hypothesis.name, .cause = cause_class(hypothesis.name), .log_z = posterior.log_z, .log_z_error = posterior.log_z_error, .strength = {}};
+    Posterior posterior = remembered_posterior(memory, "evidence: " + hypothesis.name, [&] { return sample_posterior(likelihood, likelihood.parameters(), own); });
+    Weighed weighed{.model = hypothesis.name, .cause = cause_class(hypothesis.name), .log_z = posterior.log_z, .log_z_error = posterior.log_z_error, .strength = {}, .draws = {}};
     for (std::size_t k = 0; k < hypothesis.causes.size(); ++k) weighed.strength.push_back(strength_of(emulator, hypothesis.causes[k], likelihood.strength(posterior.u, k)));
+    weighed.draws = draws_of(likelihood, posterior.u, hypothesis.causes.size());
     models.push_back(std::move(weighed));
     posteriors.emplace(hypothesis.name, std::move(posterior));
   }
@@ -136,13 +149,27 @@ int specimens_of(const Comparison& comparison) {
 
 Error stopped() { return {Code::kCancelled, "stopped (the caller has gone) nothing was lost"}; }
 
+std::vector<GroupGap> where_of(const Emulator& emulator, const Comparison& comparison, const std::map<std::string, Stated>& stated, const DiagnosisOptions& options) {
+  SmcOptions quick = options.smc;
+  quick.repeats = 1, quick.particles = std::min(quick.particles, kParticlesOfWhere);
+  return remembered_where(options.memory, "where", [&] { return locate(emulator, comparison, stated, quick); });
+}
+
+Error nothing_to_compare() {
+  return {Code::kFailedPrecondition, "nothing to compare (no measured feature is one that the bank has) measure density, repose or stress at the bank's sigma3"};
+}
+
 }  // namespace
+
+Result<std::vector<GroupGap>> locate(const Emulator& emulator, const ObservationSet& set, const DiagnosisOptions& options) {
+  const Comparison comparison = compare(emulator, set);
+  if (comparison.size() == 0) return nothing_to_compare();
+  return where_of(emulator, comparison, stated_in(set, emulator.space()), options);
+}
 
 Result<Diagnosis> diagnose(const Emulator& emulator, const ObservationSet& set, const DiagnosisOptions& options, const OnStep& on_step) {
   const Comparison comparison = compare(emulator, set);
-  if (comparison.size() == 0) {
-    return Error{Code::kFailedPrecondition, "nothing to compare (no measured feature is one that the bank has) measure density, repose or stress at the bank's sigma3"};
-  }
+  if (comparison.size() == 0) return nothing_to_compare();
   const auto stated = stated_in(set, emulator.space());
   Diagnosis out;
   out.features = static_cast<int>(comparison.size());
@@ -153,7 +180,7 @@ Result<Diagnosis> diagnose(const Emulator& emulator, const ObservationSet& set, 
   out.isolability = isolability(emulator, comparison, stated, options.smc.seed);
   auto hypotheses = hypotheses_of(emulator, out.isolability);
   const MatrixXd library = library_covariance(emulator, comparison, stated, options.smc.seed);
-  Search search{emulator, comparison, stated, library, options.smc};
+  Search search{emulator, comparison, stated, library, options.smc, options.memory};
   const auto weigh_from = [&](std::size_t first) {
     for (std::size_t h = first; h < hypotheses.size(); ++h) {
       if (!step("evidence: " + hypotheses[h].name)) return false;
@@ -173,9 +200,7 @@ Result<Diagnosis> diagnose(const Emulator& emulator, const ObservationSet& set, 
   const auto hypothesis = std::ranges::find(hypotheses, named->model, &Hypothesis::name);
   out.adequacy = adequacy_of(Likelihood(emulator, comparison, *hypothesis, stated, library), comparison, search.posteriors.at(named->model), options.smc.seed);
   if (!step("where")) return stopped();
-  SmcOptions quick = options.smc;
-  quick.repeats = 1, quick.particles = std::min(quick.particles, kParticlesOfWhere);
-  out.where = locate(emulator, comparison, stated, quick);
+  out.where = where_of(emulator, comparison, stated, options);
   if (!step("which test would tell more")) return stopped();
   const auto believed = believed_of(search, hypotheses, out);
   out.open = entropy_of_causes(believed);

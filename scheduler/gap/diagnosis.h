@@ -7,6 +7,7 @@
 
 #include "scheduler/gap/hypothesis.h"
 #include "scheduler/gap/next.h"
+#include "scheduler/gap/steps.h"
 
 namespace regolab::gap {
 
@@ -23,11 +24,20 @@ struct Strength {
   double median = 0, low = 0, high = 0;  ///< 5 and 95 %
 };
 
+/// One material of a posterior, for runs of it.
+struct Draw {
+  std::vector<double> values;    // [n_axes] SI
+  std::vector<double> strength;  // [n_causes] of the model, in the order of Weighed::strength
+};
+inline constexpr std::string_view kReadByAGauge = "_measured";  ///< ends the name of a lateral stress offset that is no secret
+inline constexpr int kDraws = 12;  ///< kept of each model
+
 struct Weighed {
   std::string model;  ///< "none", an effect's name, "a+b", "unknown"
   std::string cause;  ///< its class, "a+b" of a pair
   double log_z = 0, log_z_error = 0, probability = 0;
   std::vector<Strength> strength;
+  std::vector<Draw> draws;  ///< kDraws of its posterior
 };
 
 /// A group of features predicted from all the others under the base model.
@@ -67,6 +77,7 @@ struct DiagnosisOptions {
   SmcOptions smc{.particles = 400, .kept = 0.6, .moves = 3, .repeats = 2, .seed = 1};
   double temperature = 1;        ///< of the evidence: fitted on development cases
   double adequacy_threshold = 0.01;
+  const StepMemory* memory = nullptr;  ///< of steps done before; outlives the call
 };
 
 /// "evidence: cohesion", 7 of 30; false ends the work.
@@ -77,6 +88,9 @@ Result<Diagnosis> diagnose(const Emulator& emulator, const ObservationSet& set, 
 
 /// The groups whose features the others do not foretell.
 std::vector<GroupGap> locate(const Emulator& emulator, const Comparison& comparison, const std::map<std::string, Stated>& stated, const SmcOptions& smc);
+
+/// The "where" of a diagnosis with the same options, alone. kFailedPrecondition: nothing to compare.
+Result<std::vector<GroupGap>> locate(const Emulator& emulator, const ObservationSet& set, const DiagnosisOptions& options);
 
 std::vector<Isolability> isolability(const Emulator& emulator, const Comparison& comparison, const std::map<std::string, Stated>& stated, std::uint64_t seed);
 

@@ -40,6 +40,27 @@ v1::ImportReply to_proto(const gap::ObservationSet& set) {
   return out;
 }
 
+v1::FittedFeature to_proto(const gap::FeatureFit& fit) {
+  const gap::FeatureInfo info = *gap::feature_info(fit.measured.id);
+  const DoorUnit door = door_unit(info.unit);
+  v1::FittedFeature out;
+  const auto shown = [&](double value) { return info.physical(value) * door.factor; };
+  const auto shown_error = [&](double value, double error) { return info.physical_error(value, error) * door.factor; };
+  out.set_id(info.id), out.set_label(info.label), out.set_group(info.group.text()), out.set_unit(std::string(door.name)), out.set_sigma3_pa(info.group.sigma3);
+  out.set_measured(shown(fit.measured.value)), out.set_measured_error(shown_error(fit.measured.value, fit.measured.standard_error));
+  out.set_base(shown(fit.base.value)), out.set_base_error(shown_error(fit.base.value, fit.base.standard_error));
+  if (fit.repaired) out.set_repaired(shown(fit.repaired->value)), out.set_repaired_error(shown_error(fit.repaired->value, fit.repaired->standard_error));
+  return out;
+}
+
+void add_where(const std::vector<gap::GroupGap>& where, v1::Diagnosis& out) {
+  for (const gap::GroupGap& g : where) {
+    auto& group = *out.add_where();
+    group.set_group(g.group.text()), group.set_feature(g.feature), group.set_text(g.text), group.set_shift_pct(g.shift_pct);
+    group.set_z(g.z), group.set_p(g.p), group.set_p_adjusted(g.p_adjusted);
+  }
+}
+
 v1::Diagnosis to_proto(const gap::Diagnosis& d) {
   v1::Diagnosis out;
   out.set_verdict(std::string(gap::name_of(d.verdict)));
@@ -51,12 +72,13 @@ v1::Diagnosis to_proto(const gap::Diagnosis& d) {
       auto& strength = *model.add_strength();
       strength.set_effect(s.effect), strength.set_unit_si(s.unit), strength.set_median(s.median), strength.set_low_05(s.low), strength.set_high_95(s.high);
     }
+    for (const gap::Draw& d_of : m.draws) {
+      auto& draw = *model.add_draws();
+      for (const double value : d_of.values) draw.add_values_si(value);
+      for (const double strength : d_of.strength) draw.add_strengths_si(strength);
+    }
   }
-  for (const gap::GroupGap& g : d.where) {
-    auto& group = *out.add_where();
-    group.set_group(g.group.text()), group.set_feature(g.feature), group.set_text(g.text), group.set_shift_pct(g.shift_pct);
-    group.set_z(g.z), group.set_p(g.p), group.set_p_adjusted(g.p_adjusted);
-  }
+  add_where(d.where, out);
   for (const gap::Isolability& i : d.isolability) {
     auto& one = *out.add_isolability();
     one.set_effect(i.effect), one.set_sigma(i.sigma), one.set_twin(i.twin), one.set_cosine(i.cosine);

@@ -26,7 +26,7 @@ constexpr std::chrono::seconds kPatience{2};
 
 struct Server::State {
   State(std::unique_ptr<Desk> opened, const std::string& database)
-      : desk(std::move(opened)), hub(*desk), pool(*desk), artifacts(*desk), experiments(*desk, hub), results(database), surrogates(*desk, database), gaps(database), blind(database) {}
+      : desk(std::move(opened)), hub(*desk), pool(*desk), artifacts(*desk), experiments(*desk, hub), results(database), surrogates(*desk, database), gaps(*desk, database), blind(database) {}
 
   std::unique_ptr<Desk> desk;
   WatchHub hub;

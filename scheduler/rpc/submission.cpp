@@ -76,7 +76,7 @@ Submission prepare(const v1::SubmitRequest& request) {
   out.summary = to_proto(design);
   describe(design, request, out.record);
   for (const DesignPoint& point : design.points) {
-    for (const std::uint64_t seed : design.seeds) {
+    for (const std::uint64_t seed : seeds_of(design, point)) {
       std::string settle_key;
       for (const StageSpec& spec : expand(design, point, seed)) {
         Wish wish{point.point, seed, spec, stage_key(spec), {}};

@@ -98,6 +98,7 @@ INSTANTIATE_TEST_SUITE_P(
                   "array.table: 'points.csv' did not come with the design"},
         BadDesign{"ABillionParticles", "particles: 100", "particles: 1000000000", 4, 12, "(must be between 10 and 20000)"},
         BadDesign{"NoSeeds", "seeds: 1", "seeds: 0", 3, 8, "seeds: 0 (must be a whole number from 1 to 1000)"},
+        BadDesign{"OwnSeedsWithoutAStart", "seeds: 1", "seeds: {each: 2}", 3, 8, "missing key 'seeds.first'"},
         BadDesign{"RepeatedSeed", "seeds: 1", "seeds: [3, 3]", 3, 12, "seeds: 3 stands twice"},
         BadDesign{"LongName", "name: study", "name: [a]", 1, 7, "name (must be text"},
         BadDesign{"BoxTooSmallForOnePoint", "particles: 100", "box: {length: 5 cm, width: 3.5 cm}", 4, 1,

@@ -39,6 +39,20 @@ TEST(Expand, TheWholeStudyIsPointsTimesSeedsTimesStages) {
   EXPECT_EQ(expand(design).size(), 32u * 2u * 7u);
 }
 
+TEST(Expand, PointsMayHaveSeedsOfTheirOwn) {
+  std::string text = testing_support::read_file(REGOLAB_SOURCE "/client/examples/small-l4.yaml");
+  text.replace(text.find("seeds: 2"), 8, "seeds: {first: 1000, each: 2}");
+  const auto read = read_design({text, "design.yaml", {}}, {});
+  ASSERT_TRUE(read.value) << read.diagnostics.at(0).text;
+  EXPECT_THAT(seeds_of(*read.value, read.value->points[0]), ElementsAre(1000, 1001));
+  EXPECT_THAT(seeds_of(*read.value, read.value->points[3]), ElementsAre(1006, 1007));
+  std::set<std::uint64_t> seeds;
+  for (const StageSpec& spec : expand(*read.value)) seeds.insert(spec.seed);
+  EXPECT_EQ(seeds.size(), 8u);
+  const auto shared = read_design({text, "design.yaml", {}}, {.seeds = 2});
+  EXPECT_THAT(seeds_of(*shared.value, shared.value->points[3]), ElementsAre(1, 2)) << "the command line is louder";
+}
+
 /// Fixed for all points, as a factor, and as both a bed's and a test's.
 TEST(Effects, StandInDesignsAsFixedValuesAndAsFactors) {
   const std::string text = testing_support::read_file(REGOLAB_SOURCE "/client/examples/small-l4.yaml");

@@ -75,6 +75,63 @@ TEST(Diagnosis, SaysNoneOfTheseWhereNothingFits) {
   EXPECT_EQ(found->verdict, Verdict::kNoneOfThese);
 }
 
+TEST(Diagnosis, KeepsDrawsOfEveryModelWithinItsPrior) {
+  const auto found = diagnose(emulator(), measured(0.6, 4, 5000, 0), {});
+  for (const Weighed& m : found->models) {
+    ASSERT_EQ(m.draws.size(), static_cast<std::size_t>(kDraws)) << m.model;
+    for (const Draw& draw : m.draws) {
+      ASSERT_EQ(draw.values.size(), emulator().space().size());
+      EXPECT_EQ(draw.strength.size(), m.strength.size());
+      EXPECT_TRUE(draw.values[1] == 2 || draw.values[1] == 4 || draw.values[1] == 6) << "a choice";
+    }
+  }
+  const Weighed& best = found->models.front();
+  ASSERT_EQ(best.model, "cohesion");
+  EXPECT_NE(best.draws.front().strength, best.draws.back().strength);
+  double mean = 0;
+  for (const Draw& draw : best.draws) mean += std::log(draw.strength[0]) / kDraws;
+  EXPECT_NEAR(mean, std::log(best.strength[0].median), 1);
+}
+
+/// Stopped after each of its steps in turn, and taken up again.
+TEST(Diagnosis, TakenUpAgainEndsWithTheSameBits) {
+  const ObservationSet set = measured(0.6, 4, 5000, 0);
+  std::vector<std::pair<std::string, std::string>> kept;
+  const auto memory_of = [&](std::size_t first) {
+    return StepMemory{.find = [&kept, first](const std::string& name) -> std::optional<std::string> {
+                        for (std::size_t k = 0; k < std::min(first, kept.size()); ++k) {
+                          if (kept[k].first == name) return kept[k].second;
+                        }
+                        return std::nullopt;
+                      },
+                      .keep = {}};
+  };
+  StepMemory record{.find = {}, .keep = [&](const std::string& name, const std::string& bytes) { kept.emplace_back(name, bytes); }};
+  DiagnosisOptions options;
+  options.memory = &record;
+  const auto whole = diagnose(emulator(), set, options);
+  ASSERT_GE(kept.size(), whole->models.size() + 1) << "every hypothesis, and where";
+  for (std::size_t first = 0; first <= kept.size(); ++first) {
+    const StepMemory memory = memory_of(first);
+    options.memory = &memory;
+    const auto again = diagnose(emulator(), set, options);
+    ASSERT_TRUE(again.ok());
+    EXPECT_EQ(again->adequacy, whole->adequacy) << first;
+    for (std::size_t k = 0; k < whole->models.size(); ++k) {
+      EXPECT_EQ(again->models[k].model, whole->models[k].model);
+      EXPECT_EQ(again->models[k].log_z, whole->models[k].log_z) << first;
+      EXPECT_EQ(again->models[k].draws.back().values, whole->models[k].draws.back().values) << first;
+    }
+    ASSERT_EQ(again->where.size(), whole->where.size());
+    for (std::size_t k = 0; k < whole->where.size(); ++k) EXPECT_EQ(again->where[k].p, whole->where[k].p);
+  }
+  const StepMemory all = memory_of(kept.size());
+  options.memory = &all;
+  const auto where = locate(emulator(), set, options);
+  ASSERT_EQ(where->size(), whole->where.size());
+  EXPECT_EQ(where->front().text, whole->where.front().text);
+}
+
 TEST(Diagnosis, TheSameSeedGivesTheSameAnswer) {
   const auto a = diagnose(emulator(), measured(0.6, 4, 300, 0), {}), b = diagnose(emulator(), measured(0.6, 4, 300, 0), {});
   ASSERT_EQ(a->models.size(), b->models.size());

@@ -30,7 +30,7 @@ const std::vector<FolderRule>& folder_rules() {
       {"scheduler/queue", {"vocab/", "digest/", "scheduler/queue/"}},
       {"scheduler/analysis", {"vocab/", "scheduler/analysis/"}},
       {"scheduler/surrogate", {"vocab/", "input/", "digest/", "scheduler/analysis/", "scheduler/surrogate/"}},
-      {"scheduler/gap", {"vocab/", "input/", "scheduler/gap/"}},
+      {"scheduler/gap", {"vocab/", "input/", "digest/", "scheduler/gap/"}},
       {"scheduler/gap/blind", {"vocab/", "input/", "digest/", "apparatus/", "scheduler/gap/"}},
       {"scheduler/solver", {"vocab/", "input/", "digest/", "scheduler/gap/", "scheduler/solver/"}},
       {"scheduler", {"vocab/", "digest/", "apparatus/", "input/", "rpc/", "regolab/v1/", "scheduler/", "store/"}},

@@ -176,6 +176,26 @@ TEST_F(MigrateTest, AMigratedFileHasWhatANewOneHasAndTakesNewJobs) {
   EXPECT_EQ(text(migrated, parts), text(fresh, parts));
 }
 
+TEST_F(MigrateTest, AFileOfVersion6TakesDiagnosesAndKeepsItsJobs) {
+  make_version_1();
+  ASSERT_TRUE(Store::open(path).ok());
+  {
+    Database db = raw();  // back to what version 6 left
+    ASSERT_TRUE(db.run("DROP TABLE diagnosis_step; DROP TABLE diagnosis; PRAGMA user_version=6", "go back").ok());
+  }
+  expect_the_old_job();
+  {
+    auto store = Store::open(path);
+    ASSERT_TRUE((*store)->begin().ok());
+    ASSERT_TRUE((*store)->add_diagnosis({.id = "d1", .case_name = "c", .measurements = std::string("a\0b", 3)}).ok());
+    ASSERT_TRUE((*store)->add_diagnosis_step("d1", {"evidence: none", 5, "bytes"}).ok());
+    ASSERT_TRUE((*store)->commit().ok());
+  }
+  Database db = raw();
+  EXPECT_EQ(number(db, kVersion), kSchemaVersion);
+  EXPECT_EQ(number(db, "SELECT count(*) FROM diagnosis JOIN diagnosis_step ON diagnosis = id"), 1);
+}
+
 /// Refuses the last statement, after the new column is there.
 int refuse_the_version(void*, int action, const char* pragma, const char* value, const char*, const char*) {
   return action == SQLITE_PRAGMA && std::string_view(pragma) == "user_version" && value ? SQLITE_DENY : SQLITE_OK;

@@ -242,5 +242,67 @@ TEST_F(StoreTest, SweepTakesOnlyWhatNobodyRefersTo) {
   EXPECT_EQ(swept, std::vector{unused});
 }
 
+DiagnosisRecord diagnosis(const std::string& id, std::int64_t created_ms) {
+  return {.id = id, .case_name = "quarry", .created_ms = created_ms, .observations = "o", .bank = "b", .kernels = "k", .method = "m", .options = "{\"seed\":1}", .held_out = "",
+          .measurements = std::string("x\0y", 3)};
+}
+
+TEST_F(StoreTest, ADiagnosisComesBackWithItsStepsInTheOrderTheyWereDone) {
+  commit([&]() -> Result<void> {
+    EXPECT_TRUE(store->add_diagnosis(diagnosis("d1", 10)).ok());
+    EXPECT_TRUE(store->add_diagnosis_step("d1", {"where", 11, std::string("\0\1", 2)}).ok());
+    EXPECT_TRUE(store->add_diagnosis_step("d1", {"evidence: none", 12, "z"}).ok());
+    return store->add_diagnosis_step("d1", {"where", 13, "another"});  // done already: the first stays
+  });
+  Reader reader = std::move(Reader::open(path)).value();
+  const auto found = reader.diagnosis("d");
+  ASSERT_TRUE(found.ok()) << found.error().text;
+  EXPECT_EQ(found->case_name, "quarry");
+  EXPECT_EQ(found->options, "{\"seed\":1}");
+  EXPECT_EQ(found->measurements, std::string("x\0y", 3));
+  EXPECT_FALSE(found->ended_ms);
+  const auto steps = reader.diagnosis_steps("d1");
+  ASSERT_EQ(steps->size(), 2U);
+  EXPECT_EQ(steps->at(0).name, "where");
+  EXPECT_EQ(steps->at(0).result, std::string("\0\1", 2));
+  EXPECT_EQ(steps->at(1).done_ms, 12);
+}
+
+TEST_F(StoreTest, ADiagnosisEndsOnceAndIsAddedOnce) {
+  commit([&]() -> Result<void> {
+    EXPECT_TRUE(store->add_diagnosis(diagnosis("d1", 10)).ok());
+    EXPECT_TRUE(store->end_diagnosis("d1", "first", 20).ok());
+    EXPECT_TRUE(store->end_diagnosis("d1", "second", 30).ok());
+    EXPECT_TRUE(store->set_shrinkage("d1", "s").ok());
+    return store->add_diagnosis(diagnosis("d1", 40));
+  });
+  Reader reader = std::move(Reader::open(path)).value();
+  const auto found = reader.diagnosis("d1");
+  EXPECT_EQ(found->result, "first");
+  EXPECT_EQ(found->ended_ms, 20);
+  EXPECT_EQ(found->created_ms, 10);
+  EXPECT_EQ(found->shrinkage, "s");
+}
+
+TEST_F(StoreTest, DiagnosesAreListedNewestFirstAndFoundByAStartThatIsOneOnly) {
+  commit([&]() -> Result<void> {
+    EXPECT_TRUE(store->add_diagnosis(diagnosis("ab1", 10)).ok());
+    return store->add_diagnosis(diagnosis("ab2", 20));
+  });
+  Reader reader = std::move(Reader::open(path)).value();
+  const auto all = reader.diagnoses();
+  ASSERT_EQ(all->size(), 2U);
+  EXPECT_EQ(all->front().id, "ab2");
+  EXPECT_EQ(reader.diagnosis("ab").error().code, Code::kInvalidArgument);
+  EXPECT_EQ(reader.diagnosis("c").error().code, Code::kNotFound);
+  EXPECT_EQ(reader.diagnosis("ab1")->id, "ab1");
+}
+
+TEST_F(StoreTest, AStepOfNoDiagnosisIsRefused) {
+  ASSERT_TRUE(store->begin().ok());
+  EXPECT_EQ(store->add_diagnosis_step("none", {"where", 1, ""}).error().code, Code::kAborted);
+  store->rollback();
+}
+
 }  // namespace
 }  // namespace regolab
