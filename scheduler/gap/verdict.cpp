@@ -12,7 +12,7 @@ namespace {
 constexpr double kPriorNone = 0.20, kPriorUnknown = 0.15, kPriorPairs = 0.10;
 constexpr double kSure = 0.7, kUnknownSure = 0.5, kTogether = 0.9;
 constexpr double kLeastIsolability = 2, kLeastLearned = 0.3;  // [sigma], [nat]
-constexpr std::size_t kMostNamed = 4;
+constexpr std::size_t kMostNamed = 5;
 
 bool is_pair(const std::string& cause) { return cause.find('+') != std::string::npos; }
 
@@ -40,13 +40,18 @@ double learned(const std::vector<Weighed>& models) {
   return sum;
 }
 
-/// The fewest classes that hold nine tenths of the probability, both halves of pairs named.
+/// The fewest classes that hold nine tenths of the probability; of a pair, both halves.
 std::vector<std::string> together(const std::vector<std::pair<std::string, double>>& classes) {
   std::vector<std::string> out;
+  const auto name = [&](const std::string& cause) {
+    if (std::ranges::find(out, cause) == out.end()) out.push_back(cause);
+  };
   double sum = 0;
   for (const auto& [cause, share] : classes) {
     if (sum >= kTogether) break;
-    out.push_back(cause), sum += share;
+    name(cause.substr(0, cause.find('+')));
+    if (is_pair(cause)) name(cause.substr(cause.find('+') + 1));
+    sum += share;
   }
   return out;
 }
