@@ -126,6 +126,8 @@ Outcome run_diagnosis(const Arguments& arguments, const pb::DiagnoseRequest& req
   if (!last.diagnostics().empty()) return rejected(from_proto(last.diagnostics()), arguments, console);
   if (last.stored()) console.err << fmt::format("diagnosis {} is known already\n", last.diagnosis().id().substr(0, 12)) << std::flush;
   diagnosis = last.diagnosis();
+  for (const std::string& warning : diagnosis.warnings()) console.err << paint(console.colour_err, Ink::kYellow, "warning: ") << warning << "\n";
+  console.err << std::flush;
   return done();
 }
 

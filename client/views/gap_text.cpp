@@ -45,6 +45,11 @@ std::string where_line(const pb::Diagnosis& d) {
 std::string which_line(const pb::Diagnosis& d) {
   if (d.verdict() == "NONE OF THESE" && d.adequacy_p() < d.adequacy_threshold()) return d.verdict() + ": the best of them, " + d.models(0).model() + ", leaves a misfit that chance does not";
   std::string text = d.verdict();
+  if (d.verdict() == "PAIR") {
+    text += fmt::format(": {} together (P = {:.2f})", fmt::join(d.classes(), " and "), d.models(0).probability());
+    for (const auto& s : d.models(0).strength()) text += "; " + strength_text(s);
+    return text;
+  }
   for (int k = 0; k < d.classes_size(); ++k) {
     double p = 0;
     for (const auto& m : d.models()) p += m.cause() == d.classes(k) ? m.probability() : 0;

@@ -2,6 +2,8 @@
 
 #include <udunits2.h>
 
+#include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <memory>
 #include <mutex>
@@ -36,6 +38,8 @@ ut_system* unit_system() {
 
 Unit parse_unit(std::string_view text) {
   constexpr std::size_t kLongestUnit = 40;
+  while (text.starts_with(' ')) text.remove_prefix(1);
+  while (text.ends_with(' ')) text.remove_suffix(1);
   const bool scaled = !text.empty() && text.front() >= '0' && text.front() <= '9' && text != "1" && !text.starts_with("1/");
   if (text.empty() || text.size() > kLongestUnit || scaled) return nullptr;  // "5 10 m" is a slip, not a unit
   std::string name(text);
@@ -92,6 +96,16 @@ std::string dimension_name(const ut_unit* unit) {
   return "another kind of quantity";
 }
 
+/// " (case counts) write kPa" for KPA; MPA may be meant as either, so no unit is guessed.
+std::string case_remedy(std::string_view unit) {
+  constexpr std::string_view kKnown[] = {"Pa", "kPa", "MPa", "g/cm3", "kg/m3", "deg", "rad", "mm", "cm", "m", "N", "kN", "s", "g", "kg"};
+  const auto same = [&](std::string_view known) {
+    return std::equal(unit.begin(), unit.end(), known.begin(), known.end(), [](unsigned char a, unsigned char b) { return std::tolower(a) == std::tolower(b); });
+  };
+  const auto found = std::find_if(std::begin(kKnown), std::end(kKnown), same);
+  return found == std::end(kKnown) ? "" : " (case counts) write " + std::string(*found);
+}
+
 }  // namespace
 
 Result<double> convert_to_si(double value, std::string_view written, std::string_view unit, std::string_view si,
@@ -103,7 +117,7 @@ Result<double> convert_to_si(double value, std::string_view written, std::string
   }
   const Unit from = parse_unit(unit);
   const std::string wanted = "expected " + std::string(si == "1" ? "a pure number" : si) + " (" + std::string(what) + ")";
-  if (!from) return invalid("unknown unit '" + excerpt(unit) + "', " + wanted);
+  if (!from) return invalid("unknown unit '" + excerpt(unit) + "', " + wanted + case_remedy(unit));
   const Unit to(ut_parse(unit_system(), std::string(si).c_str(), UT_ASCII));
   if (!same_dimension(from.get(), to.get())) {
     return invalid(excerpt(written) + " is " + dimension_name(from.get()) + ", " + wanted);

@@ -5,6 +5,7 @@
 #include <yaml-cpp/parser.h>
 
 #include <algorithm>
+#include <utility>
 #include <sstream>
 
 namespace regolab {
@@ -27,7 +28,7 @@ class TreeBuilder : public YAML::EventHandler {
     add({.kind = YamlNode::Kind::kNull, .place = place_of(mark)});
   }
   void OnAlias(const YAML::Mark& mark, YAML::anchor_t) override {
-    report_.add(place_of(mark), "alias (anchors and aliases are not used here) write the value out");
+    refuse_anchor(mark, 1);
     add({.kind = YamlNode::Kind::kNull, .place = place_of(mark)});
   }
   void OnScalar(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor, const std::string& value) override {
@@ -48,8 +49,8 @@ class TreeBuilder : public YAML::EventHandler {
 
  private:
   void refuse_anchor(const YAML::Mark& mark, YAML::anchor_t anchor) {
-    if (anchor != YAML::NullAnchor)
-      report_.add(place_of(mark), "anchor (anchors and aliases are not used here) write the value out");
+    if (anchor == YAML::NullAnchor || std::exchange(anchored_, true)) return;  // one message: a file made of them has thousands
+    report_.add(place_of(mark), "anchor or alias (they are not used here) write the values out");
   }
   void refuse_tag(const YAML::Mark& mark, const std::string& tag) {
     if (tag.empty() || tag == "?" || tag == "!") return;  // yaml-cpp's marks for plain and quoted text
@@ -119,6 +120,7 @@ class TreeBuilder : public YAML::EventHandler {
   std::vector<YamlNode> open_;
   std::optional<YamlNode> root_;
   int depth_ = 0;
+  bool anchored_ = false;
 };
 
 /// Length of the UTF-8 letter at the front, 0 when it is not one.

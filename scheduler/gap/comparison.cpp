@@ -41,6 +41,19 @@ std::vector<double> sigma3_of(const Emulator& emulator) {
   return out;
 }
 
+/// Beds of grains of another density pack alike: the same share of the volume is grains.
+void weigh_as_in_bank(const Emulator& emulator, const ObservationSet& set, std::vector<Feature>& features) {
+  const auto own = emulator.space().fixed.find("particle_density");
+  if (own == emulator.space().fixed.end() || !set.material.grain_density) return;
+  const Known& grain = *set.material.grain_density;
+  for (Feature& f : features) {
+    if (f.id != "bulk_density" && f.id != "core_density") continue;
+    const double unsure = f.value * grain.standard_error.value_or(0) / grain.value;
+    f.standard_error = std::hypot(f.standard_error, unsure) * own->second / grain.value;
+    f.value *= own->second / grain.value;
+  }
+}
+
 /// Both ends of a strength line err by the same two numbers, and by nothing that other features share.
 void go_together(const StrengthLine& line, Comparison& comparison) {
   std::array<Index, 2> at;
@@ -59,6 +72,7 @@ double size_ratio_of(const ObservationSet& set) { return std::min(1.0, kBankPart
 
 Comparison compare(const Emulator& emulator, const ObservationSet& set) {
   auto features = features_of(readings_of(set));
+  weigh_as_in_bank(emulator, set, features);
   const auto line = strength_line(features, sigma3_of(emulator), set.protocol.sigma3);
   if (line) features.insert(features.end(), line->ends.begin(), line->ends.end());
   Comparison out = compare(emulator, features, size_ratio_of(set));

@@ -111,6 +111,7 @@ class Block {
       const bool mine = key == name || (with_unit && !key.ends_with(kError) && key.starts_with(std::string(name) + "_"));
       if (!mine) continue;
       read_[k] = true;
+      if (!found) set_.places[std::string(name)] = node_.items[k].place;
       if (found) report_.add(node_.keys[k].place, path_of(k) + " (already given in line " + std::to_string(node_.keys[*found].place.line) + ") keep one of them");
       else found = k;
     }

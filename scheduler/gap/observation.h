@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "input/diagnostic.h"
+#include "input/report.h"
 #include "vocab/plate.h"
 
 namespace regolab::gap {
@@ -78,6 +78,7 @@ struct ObservationSet {
   std::vector<Scalar> scalars;
   std::vector<MeasuredCurve> curves;
   std::vector<Unused> unused;
+  std::map<std::string, Place> places;  ///< where scalars, curves (by id) and keys (by name without unit) stand
   std::vector<Diagnostic> warnings;  ///< read all the same
   bool few = false;                  ///< fewer features than any diagnosis can stand on (see kFewFeatures)
   bool assumed = false;              ///< any error was assumed

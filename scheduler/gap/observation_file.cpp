@@ -169,7 +169,8 @@ Read<ObservationSet> read_observations(const std::string& file_name, const std::
   Report report(file_name, text.size() > kLargestObservations ? "" : text);
   Report warnings(file_name, text.size() > kLargestObservations ? "" : text);
   std::optional<ObservationSet> set;
-  if (const auto root = parse_yaml(text, report, kLimits)) set = read(*root, missing, report, warnings);
+  const auto root = parse_yaml(text, report, kLimits);
+  if (root && report.empty()) set = read(*root, missing, report, warnings);
   return finished(std::move(set), report, warnings);
 }
 

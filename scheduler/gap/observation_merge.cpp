@@ -14,6 +14,7 @@ constexpr double kAgree = 2;  // standard errors between repeats of one quantity
 void Merger::add(Scalar scalar, Place place) {
   const auto [known, fresh] = at_.try_emplace(scalar.id, set_.scalars.size(), place);
   if (fresh) {
+    set_.places[scalar.id] = place;
     set_.scalars.push_back(std::move(scalar));
     return;
   }
@@ -40,6 +41,7 @@ void Merger::add(Scalar scalar, Place place) {
 void Merger::add(MeasuredCurve curve, Place place) {
   const auto [known, fresh] = curve_at_.try_emplace(curve.id, set_.curves.size(), place);
   if (fresh) {
+    set_.places[curve.id] = place;
     set_.curves.push_back(std::move(curve));
     return;
   }

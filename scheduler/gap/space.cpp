@@ -32,6 +32,10 @@ Space space_of(const Bank& bank) {
     const auto values = values_of(bank, *input);
     if (values.size() > 1) space.axes.push_back({std::string(name), *values.begin(), *values.rbegin(), {values.begin(), values.end()}});
   }
+  for (std::size_t i = 0; i < bank.inputs.size(); ++i) {
+    const auto values = values_of(bank, i);
+    if (values.size() == 1) space.fixed[bank.inputs[i].name] = *values.begin();
+  }
   return space;
 }
 

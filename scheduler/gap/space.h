@@ -21,6 +21,7 @@ struct Axis {
 /// theta_F, K_N, eta_N, K_T, eta_T, L_S, gravity, N_E, rotation, as far as the bank varies them.
 struct Space {
   std::vector<Axis> axes;
+  std::map<std::string, double> fixed;  ///< inputs that never vary, by name [SI]
 
   std::size_t size() const { return axes.size(); }
   /// -1 when there is none.
@@ -33,7 +34,7 @@ struct Space {
   Groups groups(int extra = 0) const;
 };
 
-/// From the rows of the bank; an axis that never varies is left out.
+/// From the rows of the bank; an axis that never varies is left out, and stands in `fixed`.
 Space space_of(const Bank& bank);
 
 }  // namespace regolab::gap

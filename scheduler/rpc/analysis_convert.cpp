@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "input/yaml_tree.h"
+
 namespace regolab {
 namespace {
 
@@ -65,11 +67,15 @@ v1::CompareResponse to_proto(const analysis::CompareResponse& response) {
 
 v1::Diagnostic to_proto(const Diagnostic& diagnostic) {
   v1::Diagnostic out;
-  out.set_file(diagnostic.file);
+  const auto sound = [](std::string text) {  // the wire carries UTF-8 alone
+    if (first_bad_byte(text)) std::ranges::replace_if(text, [](unsigned char c) { return c < 0x20 || c > 0x7E; }, '?');
+    return text;
+  };
+  out.set_file(sound(diagnostic.file));
   out.set_line(static_cast<std::uint32_t>(std::max(diagnostic.line, 0)));
   out.set_column(static_cast<std::uint32_t>(std::max(diagnostic.column, 0)));
-  out.set_text(diagnostic.text);
-  out.set_source_line(diagnostic.source_line);
+  out.set_text(sound(diagnostic.text));
+  if (!first_bad_byte(diagnostic.source_line)) out.set_source_line(diagnostic.source_line);
   return out;
 }
 

@@ -4,6 +4,7 @@
 #include "scheduler/gap/held_out.h"
 #include "scheduler/gap/kernels.h"
 #include "scheduler/gap/observation_csv.h"
+#include "scheduler/gap/reach.h"
 #include "scheduler/rpc/analysis_convert.h"
 #include "scheduler/rpc/confirmation.h"
 #include "scheduler/rpc/diagnosis_book.h"
@@ -44,6 +45,17 @@ gap::DiagnosisOptions options_of(const v1::DiagnoseRequest& request) {
   return options;
 }
 
+/// What is stated of the material and lies outside the bank, told where it stands in the file.
+std::vector<Diagnostic> refused_by(const gap::Reach& reach, const gap::ObservationSet& set, const v1::ImportRequest& file) {
+  const bool mapped = !file.map_name().empty();  // conditions then stand in the map
+  Report report(file.file_name(), mapped ? "" : file.content());
+  for (const gap::OutOfReach& one : reach.refused) {
+    const auto place = set.places.find(one.key);
+    report.add(place == set.places.end() || mapped ? Place{} : place->second, one.text);
+  }
+  return report.take();
+}
+
 }  // namespace
 
 grpc::Status GapsService::Emulate(grpc::ServerContext*, const v1::EmulateRequest* request, v1::EmulateReply* reply) {
@@ -65,6 +77,9 @@ Result<std::optional<GapsService::Question>> GapsService::read(const v1::Diagnos
   if (!bank.ok()) return bank.error();
   for (const Diagnostic& diagnostic : bank->diagnostics) *event.add_diagnostics() = to_proto(diagnostic);
   if (!bank->diagnostics.empty()) return std::optional<Question>();
+  const gap::Reach reach = gap::reach_of(*bank->emulator, *set.value);
+  for (const Diagnostic& diagnostic : refused_by(reach, *set.value, request.measurements())) *event.add_diagnostics() = to_proto(diagnostic);
+  if (!reach.refused.empty()) return std::optional<Question>();
   Question out{.set = *set.value, .fitted = *set.value, .held_out = {}, .bank = std::move(*bank)};
   if (!request.hold_out()) return std::optional(std::move(out));
   const auto held = gap::held_out_sigma3(gap::compare(*out.bank.emulator, out.set).measured);
@@ -101,6 +116,9 @@ grpc::Status GapsService::Diagnose(grpc::ServerContext* context, const v1::Diagn
     });
     if (!found.ok()) return to_grpc(found.error());
     v1::Diagnosis out = to_proto(*found);
+    const gap::Reach reach = gap::reach_of(*q.bank.emulator, q.set);
+    for (const gap::Unused& one : reach.left_out) out.add_warnings(one.id + " takes no part: " + one.why);
+    for (const std::string& warning : reach.warnings) out.add_warnings(warning);
     add_provenance((*book)->record(), options.smc.seed, out);
     add_held_out(q.held_out, out);
     add_fits(*q.bank.emulator, q.set, *found, q.held_out, out);

@@ -1,15 +1,37 @@
 #!/usr/bin/env bash
 # The bank of DEM runs that emulators of the gap diagnosis learn from: materials without any effect and,
 # for each effect, 32 of them with it. Written to ../data/bank.csv with what it cost.
-#   bash scheduler/gap/bank/run.sh       two to three hours on 2 cores; resumes where it stopped (build/campaign.db)
+#   bash scheduler/gap/bank/run.sh [--sigma3 '1.25 2.5 5 10'] [-o bank.csv]
+# Two to three hours on 2 cores; resumes where it stopped (build/campaign.db). Other confining stresses [kPa] than the shipped bank's make a
+# bank for `gap diagnose --bank`: what is stored is not run again, so one more stress costs about a quarter of an hour.
 set -euo pipefail
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
+out=$here/../data/bank.csv sigma3=
+while [ $# -gt 0 ]; do
+  case $1 in
+    --sigma3) [[ ${2:-} =~ ^[0-9.]+(\ [0-9.]+)*$ ]] || { echo "--sigma3 '${2:-}' (no list of stresses in kPa) write e.g. --sigma3 '1.25 2.5 5 10 50'" >&2; exit 2; }
+      sigma3=$2; shift 2 ;;
+    -o) out=${2:?"-o without a name (the bank goes to a file) write -o bank.csv"}; shift 2 ;;
+    *) echo "unknown word $1 (known: --sigma3, -o) see the head of $0" >&2; exit 2 ;;
+  esac
+done
+if [ -n "$sigma3" ] && [ "$out" = "$here/../data/bank.csv" ]; then
+  echo "--sigma3 without -o (the shipped bank has stresses of its own) add -o bank.csv" >&2
+  exit 2
+fi
 source "$here/../../../client/setup.sh"
 install_missing
 build_regolab -- regolab regolab-scheduler regolab-worker
 db=${REGOLAB_CAMPAIGN_DB:-$root/build/campaign.db} regolab=$root/build/bin/regolab
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
+
+# design FILE: in scratch, with the stresses asked for and tables that are found from there
+design() {
+  local list=${sigma3// / kPa, }
+  sed -e "s#{table: \.\./\.\./#{table: $here/../../#" ${list:+-e "s/sigma3: \[.*\]/sigma3: [$list kPa]/"} "$1" >"$scratch/$(basename "$1")"
+  echo "$scratch/$(basename "$1")"
+}
 
 # study design [options]: runs it and keeps its id
 ids=()
@@ -24,11 +46,11 @@ study() {
 effect() {
   local name=${2%%_kPa}
   awk -F, -v effect="$2" -v low="$3" -v high="$4" -v by_ratio="$5" -v offset="$1" -f "$here/points.awk" "$here/../../surrogate/campaign/points.csv" >"$scratch/$name.csv"
-  sed "s/EFFECT/$name/g" "$here/effect.yaml" >"$scratch/$name.yaml"
+  sed "s/EFFECT/$name/g" "$(design "$here/effect.yaml")" >"$scratch/$name.yaml"
   study "$scratch/$name.yaml"
 }
 
-study "$here/null.yaml"
+study "$(design "$here/null.yaml")"
 effect 0 cohesion_kPa 0.02 20 1
 effect 1 rolling_resistance 0.02 0.5 1
 effect 2 boundary_compliance 1 50 1
@@ -40,4 +62,4 @@ effect 1 hertzian_contact 0.05 1 0
 effect 2 preparation_friction 0.1 0.9 0
 effect 4 preparation_gravity -1 1 0
 effect 3 breakage 0.1 50 1  # fragments are light: seven times the steps
-"$regolab" gap bank "${ids[@]}" -o "$here/../data/bank.csv" --db "$db"
+"$regolab" gap bank "${ids[@]}" -o "$out" --db "$db"

@@ -144,20 +144,6 @@ TEST(Diagnosis, NothingToCompareIsAnError) {
   EXPECT_EQ(diagnose(emulator(), set, {}).error().code, Code::kFailedPrecondition);
 }
 
-/// A bank with sigma1 alone, at two stresses.
-const Emulator& strength_emulator() {
-  static const auto made = [] {
-    Bank bank{.inputs = {{"theta_F", "rad"}}, .features = {"bulk_density", "sigma1_ratio_1.25", "sigma1_ratio_10"}, .rows = {}};
-    for (int k = 0; k < 60; ++k) {
-      const double friction = golden(k / 2, 0.618), common = 0.05 * std::sin(77.0 * k);
-      bank.rows.push_back({.experiment = "n", .point = k / 2, .seed = static_cast<std::uint64_t>(k % 2), .profile = "quick", .inputs = {friction},
-                           .features = {1600 - 50 * friction + 20 * common, 0.7 + friction + common, 0.7 + friction + common + 0.02 * std::cos(13.0 * k)}});
-    }
-    return Emulator::from(bank);
-  }();
-  return *made;
-}
-
 TEST(Comparison, TakesCohesionAndFrictionAngleAsTwoFeaturesThatErrTogether) {
   ObservationSet set;
   const auto scalar = [&](const char* id, double value, const char* unit, double error) {
@@ -172,6 +158,14 @@ TEST(Comparison, TakesCohesionAndFrictionAngleAsTwoFeaturesThatErrTogether) {
   const double together = c.correlation(1, 2) * std::sqrt(c.variance[1] * c.variance[2]);
   EXPECT_NEAR(together, c.measured[1].standard_error * c.measured[2].standard_error, 0.01 * together);  // the cohesion's error moves both
   EXPECT_GT(Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(c.covariance(Eigen::VectorXd::Zero(3))).eigenvalues().minCoeff(), 0);
+}
+
+TEST(Comparison, ABedOfHeavierGrainsIsComparedByItsShareOfGrains) {
+  ObservationSet set;
+  set.scalars.push_back({.id = "bulk_density", .value = 1600, .unit = "kg/m3", .unit_as_read = "kg/m3", .standard_error = 5, .definition = {}});
+  EXPECT_EQ(compare(strength_emulator(), set).y[0], 1600);
+  set.material.grain_density = Known{.value = 2930 * 1.1, .standard_error = 0.0, .unit = "kg/m3"};
+  EXPECT_NEAR(compare(strength_emulator(), set).y[0], 1600 / 1.1, 1e-9);
 }
 
 }  // namespace

@@ -49,4 +49,18 @@ inline ObservationSet measured_in_made_up_world(double friction, double elements
   return set;
 }
 
+/// A bank of density and sigma1 at two stresses; gravity and the grains' density never vary.
+inline const Emulator& strength_emulator() {
+  static const auto made = [] {
+    Bank bank{.inputs = {{"theta_F", "rad"}, {"gravity", "m/s2"}, {"particle_density", "kg/m3"}}, .features = {"bulk_density", "sigma1_ratio_1.25", "sigma1_ratio_10"}, .rows = {}};
+    for (int k = 0; k < 60; ++k) {
+      const double friction = golden(k / 2, 0.618), common = 0.05 * std::sin(77.0 * k);
+      bank.rows.push_back({.experiment = "n", .point = k / 2, .seed = static_cast<std::uint64_t>(k % 2), .profile = "quick", .inputs = {friction, 1.63, 2930},
+                           .features = {1600 - 50 * friction + 20 * common, 0.7 + friction + common, 0.7 + friction + common + 0.02 * std::cos(13.0 * k)}});
+    }
+    return Emulator::from(bank);
+  }();
+  return *made;
+}
+
 }  // namespace regolab::gap

@@ -169,7 +169,16 @@ TEST(Observations, OtherFormatsAndHostileFilesAreRefused) {
   EXPECT_THAT(refused("\xFF\xFE"), ElementsAre(Field(&Diagnostic::text, HasSubstr("not a text file"))));
   EXPECT_THAT(refused(std::string((16 << 20) + 1, ' ')), ElementsAre(Field(&Diagnostic::text, HasSubstr("16777216"))));
   EXPECT_THAT(refused(density() + "extra: " + std::string(100, '[') + std::string(100, ']') + "\n"), Contains(Field(&Diagnostic::text, HasSubstr("deep"))));
-  EXPECT_THAT(refused("a: &a [x, x]\nb: &b [*a, *a]\nc: [*b, *b]\n"), Contains(Field(&Diagnostic::text, HasSubstr("alias"))));
+  EXPECT_THAT(refused("a: &a [x, x]\nb: &b [*a, *a]\nc: [*b, *b]\n"), ElementsAre(at(1, 4, "alias")));  // one message, however large the bomb
+  EXPECT_THAT(refused(replaced(density(), "small", std::string("sm\0ll", 5))), ElementsAre(at(2, 9, "byte 0x00")));
+  EXPECT_THAT(refused(replaced(density(), "small", "sm\xE4ll")), ElementsAre(at(2, 9, "not a text file")));
+  EXPECT_THAT(refused(replaced(density(), "  value: 1.6", "  value: 1.6\n  value: 1.7")), ElementsAre(at(6, 3, "duplicate key 'value'")));
+}
+
+TEST(Observations, WindowsLineEndsAndABlankAfterAUnitAreNoMatter) {
+  std::string text = density("1.6", "'g/cm3 '");
+  for (std::size_t at = 0; (at = text.find('\n', at)) != std::string::npos; at += 2) text.replace(at, 1, "\r\n");
+  EXPECT_DOUBLE_EQ(accepted(text).scalars.at(0).value, 1600);
 }
 
 TEST(Observations, AFileOfMoreNumbersThanAnyTestHasIsRefusedInBoundedTime) {

@@ -119,7 +119,7 @@ INSTANTIATE_TEST_SUITE_P(
         BadJob{"RatioWithUnit", "  L_S:", "  damping_unit: absolut\n  L_S:", 11, 17, "did you mean 'absolute'?"},
         BadJob{"Truncated", "{sigma3: [1.25 kPa, 10 kPa]}", "{sigma3: [1.25 kPa, 1", 16, 1, "not valid YAML"},
         BadJob{"Binary", "seed: 1", "seed: \x01", 2, 7, "not a text file (byte 0x01"},
-        BadJob{"Alias", "seed: 1", "seed: &s 1", 2, 7, "anchor (anchors and aliases are not used here)"}),
+        BadJob{"Alias", "seed: 1", "seed: &s 1", 2, 7, "anchor or alias (they are not used here)"}),
     [](const auto& bad) { return std::string(bad.param.name); });
 
 TEST(BadJob, AllErrorsComeAtOnceInOrder) {

@@ -70,6 +70,11 @@ TEST(UnitConvert, KeepsAnglesAndNumbersApart) {
   EXPECT_THAT(refusal("0.3 1", 0.3, "1", "rad", "particle friction angle"), HasSubstr("is a pure number, expected rad"));
 }
 
+TEST(UnitConvert, CaseCountsAndIsSaid) {
+  EXPECT_EQ(refusal("5 KPA", 5, "KPA", "Pa", "stress"), "unknown unit 'KPA', expected Pa (stress) (case counts) write kPa");
+  EXPECT_EQ(*convert_to_si(5, "5 kPa ", " kPa ", "Pa", "stress"), 5000);
+}
+
 TEST(UnitConvert, RefusesWhatIsNoUnit) {
   for (const char* unit :
        {"Newton meters per", "m)(", "5 m", "", "seconds since 2000", "m^999999999", "lg(re 1 mW)", "xyzzy"}) {

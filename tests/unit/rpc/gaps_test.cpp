@@ -61,6 +61,12 @@ TEST_F(ServiceTest, MeasurementsAreReadOrRefusedWithTheirPlaces) {
   ASSERT_EQ(reply.diagnostics_size(), 2);
   EXPECT_EQ(reply.diagnostics(0).line(), 4U);
 
+  request.set_content("format: observations/1\ncase: gro\xDF\n");
+  ASSERT_TRUE(client->call(*client->gaps, &v1::Gaps::Stub::Import, request, &reply).ok()) << "a line that is not UTF-8 must not break the wire";
+  ASSERT_EQ(reply.diagnostics_size(), 1);
+  EXPECT_EQ(reply.diagnostics(0).line(), 2U);
+  EXPECT_THAT(reply.diagnostics(0).text(), HasSubstr("not a text file"));
+
   request.set_content(std::string((16 << 20) + 1, '#'));
   ASSERT_TRUE(client->call(*client->gaps, &v1::Gaps::Stub::Import, request, &reply).ok());
   ASSERT_EQ(reply.diagnostics_size(), 1);
