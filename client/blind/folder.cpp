@@ -39,7 +39,8 @@ std::vector<Digest> list_from(const std::string& text, std::string_view ending) 
   std::vector<Digest> out;
   std::istringstream lines(text);
   for (std::string line; std::getline(lines, line);) {
-    if (line.empty() || line.front() == '#' || line.size() < 66 + ending.size() || !line.ends_with(ending) || lines.eof()) continue;  // a torn last line does not count
+    if (line.empty() || line.front() == '#' || line.size() < 66 + ending.size() || !line.ends_with(ending) || lines.eof())
+      continue;  // a torn last line does not count
     out.push_back({line.substr(66, line.size() - 66 - ending.size()), line.substr(0, 64)});
   }
   return out;
@@ -60,7 +61,8 @@ Outcome make_folder(const fs::path& path) {
 Outcome set_from(const fs::path& file, const std::string& text, BlindSet& set) {
   const Json j = Json::parse(text, nullptr, false);
   if (!j.is_object() || j.value("format", "") != kFormat) {
-    return failed(Exit::kInvalidInput, fmt::format("{} (no blind set of this version) take a folder that `regolab gap blind make` made", file.string()));
+    return failed(Exit::kInvalidInput,
+                  fmt::format("{} (no blind set of this version) take a folder that `regolab gap blind make` made", file.string()));
   }
   set = {.cases = j.value("cases", 0U), .nulls = j.value("extra_nulls", 0U), .specimens = j.value("specimens", 0U), .seed = {}};
   if (j.contains("seed") && j["seed"].is_number_unsigned()) set.seed = j["seed"].get<std::uint64_t>();
@@ -68,7 +70,8 @@ Outcome set_from(const fs::path& file, const std::string& text, BlindSet& set) {
 }
 
 std::string header_of(const BlindSet& set) {
-  return set.seed ? fmt::format("# development set, seed {}: its truths are known, no part of any record\n", *set.seed) : "# blind set: SHA-256 of truths that are not revealed yet\n";
+  return set.seed ? fmt::format("# development set, seed {}: its truths are known, no part of any record\n", *set.seed)
+                  : "# blind set: SHA-256 of truths that are not revealed yet\n";
 }
 
 }  // namespace
@@ -80,7 +83,8 @@ BlindFolder::~BlindFolder() {
 Outcome BlindFolder::lock(bool make) {
   std::error_code ignored;
   if (!make && !fs::exists(path_ / "set.json", ignored)) {
-    return failed(Exit::kInvalidInput, fmt::format("{} holds no blind set (no set.json) make one: regolab gap blind make {}", path_.string(), path_.string()));
+    return failed(Exit::kInvalidInput,
+                  fmt::format("{} holds no blind set (no set.json) make one: regolab gap blind make {}", path_.string(), path_.string()));
   }
   if (make && !drawn() && fs::exists(path_, ignored) && !fs::is_empty(path_, ignored) && !fs::exists(path_ / "lock", ignored)) {
     return failed(Exit::kInvalidInput, fmt::format("{} holds other files (a blind set has a folder of its own) choose another DIR", path_.string()));
@@ -91,7 +95,9 @@ Outcome BlindFolder::lock(bool make) {
     }
   }
   lock_ = open((path_ / "lock").c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
-  if (lock_ < 0) return failed(Exit::kInternal, fmt::format("cannot open {} ({}) choose a folder that can be written", (path_ / "lock").string(), std::strerror(errno)));
+  if (lock_ < 0)
+    return failed(Exit::kInternal,
+                  fmt::format("cannot open {} ({}) choose a folder that can be written", (path_ / "lock").string(), std::strerror(errno)));
   if (flock(lock_, LOCK_EX | LOCK_NB) == 0) return done();
   return failed(Exit::kUsage, fmt::format("{} is in use (another `regolab gap blind` works on it) wait for it", path_.string()));
 }
@@ -101,13 +107,15 @@ bool BlindFolder::drawn() const {
   return fs::exists(path_ / "set.json", ignored);
 }
 
-Outcome BlindFolder::write_set(const BlindSet& set, const std::vector<Digest>& commitments, const std::vector<std::pair<std::string, std::string>>& sealed) {
+Outcome BlindFolder::write_set(const BlindSet& set, const std::vector<Digest>& commitments,
+                               const std::vector<std::pair<std::string, std::string>>& sealed) {
   for (const auto& [id, bytes] : sealed) {
     if (auto written = write_file(sealed_file(id), bytes); !written.ok()) return written;
   }
   const std::string lines = header_of(set) + lines_of(commitments, kTruth);
   if (auto written = write_file(path_ / "commitments", lines + std::string(kWhole) + sha256_hex(lines) + "\n"); !written.ok()) return written;
-  Json j{{"format", kFormat}, {"development", set.seed.has_value()}, {"seed", set.seed ? Json(*set.seed) : Json()}, {"cases", set.cases}, {"extra_nulls", set.nulls}, {"specimens", set.specimens}};
+  Json j{{"format", kFormat},        {"development", set.seed.has_value()}, {"seed", set.seed ? Json(*set.seed) : Json()}, {"cases", set.cases},
+         {"extra_nulls", set.nulls}, {"specimens", set.specimens}};
   if (auto written = write_file(path_ / "set.json", j.dump(1) + "\n"); !written.ok()) return written;
   return read();
 }
@@ -121,7 +129,8 @@ Outcome BlindFolder::read() {
   if (auto got = read_whole_file(path_ / "commitments", kLargestList, "a list of commitments", text); !got.ok()) return got;
   commitments_ = list_from(text, kTruth);
   if (text.find(std::string(kWhole) + list_digest()) == std::string::npos) {
-    return failed(Exit::kInvalidInput, fmt::format("{} (its lines are not those its own digest was made of: it was changed) restore it", (path_ / "commitments").string()));
+    return failed(Exit::kInvalidInput, fmt::format("{} (its lines are not those its own digest was made of: it was changed) restore it",
+                                                   (path_ / "commitments").string()));
   }
   if (auto got = read_if_there(path_ / "answers", text); !got.ok()) return got;
   answers_ = list_from(text, kAnswer);
@@ -140,11 +149,13 @@ Outcome BlindFolder::add_answer(const std::string& id, const std::string& text) 
   const Digest added{id, sha256_hex(text)};
   const int fd = open(list.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0666);
   int error = fd < 0 ? errno : 0;
-  if (error == 0 && lseek(fd, 0, SEEK_END) == 0) error = write_all(fd, set_.seed ? "# development set: no part of any record\n" : "# SHA-256 of answers, in the order given\n");
+  if (error == 0 && lseek(fd, 0, SEEK_END) == 0)
+    error = write_all(fd, set_.seed ? "# development set: no part of any record\n" : "# SHA-256 of answers, in the order given\n");
   if (error == 0) error = write_all(fd, (torn_ ? "\n" : "") + line_of(added, kAnswer));
   if (error == 0 && fsync(fd) != 0) error = errno;
   if (fd >= 0) close(fd);
-  if (error != 0) return failed(Exit::kInternal, fmt::format("cannot write {} ({}) make room; the case will be solved again", list.string(), std::strerror(error)));
+  if (error != 0)
+    return failed(Exit::kInternal, fmt::format("cannot write {} ({}) make room; the case will be solved again", list.string(), std::strerror(error)));
   torn_ = false;
   answers_.push_back(added);
   return done();
@@ -155,10 +166,13 @@ Outcome BlindFolder::check_answers() const {
     std::string text;
     if (auto got = read_whole_file(answer_file(answer.id), kLargestList, "an answer", text); !got.ok()) return got;
     if (sha256_hex(text) != answer.sha256) {
-      return failed(Exit::kInvalidInput, fmt::format("{} was changed (its SHA-256 is not the one in `answers`) restore it: there is one answer to a case", answer_file(answer.id).string()));
+      return failed(Exit::kInvalidInput,
+                    fmt::format("{} was changed (its SHA-256 is not the one in `answers`) restore it: there is one answer to a case",
+                                answer_file(answer.id).string()));
     }
     if (std::ranges::count(answers_, answer.id, &Digest::id) > 1) {
-      return failed(Exit::kInvalidInput, fmt::format("{}: case {} stands twice (there is one answer to a case) restore the list", (path_ / "answers").string(), answer.id));
+      return failed(Exit::kInvalidInput, fmt::format("{}: case {} stands twice (there is one answer to a case) restore the list",
+                                                     (path_ / "answers").string(), answer.id));
     }
   }
   return done();

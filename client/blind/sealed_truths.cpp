@@ -39,7 +39,9 @@ Outcome open_truth(const BlindFolder& folder, const Digest& commitment, const st
   if (!truth.ok()) return failed(Exit::kInvalidInput, fmt::format("{}: {}", folder.sealed_file(commitment.id).string(), truth.error().text));
   truth->resize(truth->find_last_not_of(' ') + 1);
   if (sha256_hex(*truth) != commitment.sha256) {
-    return failed(Exit::kInvalidInput, fmt::format("case {}: the truth is not the one committed to (its SHA-256 is another) this set proves nothing: make another", commitment.id));
+    return failed(
+        Exit::kInvalidInput,
+        fmt::format("case {}: the truth is not the one committed to (its SHA-256 is another) this set proves nothing: make another", commitment.id));
   }
   text = std::move(*truth);
   return done();

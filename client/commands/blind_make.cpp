@@ -30,7 +30,8 @@ struct BlindCase {
 
 /// Where the runs go: not into the database of everyday work, which anybody reads, and not into the set's folder.
 Outcome place_runs(Arguments& arguments) {
-  if (!arguments.own_database && arguments.server.empty()) arguments.database = fs::path(default_key_file(arguments.folder)).replace_extension(".db").string();
+  if (!arguments.own_database && arguments.server.empty())
+    arguments.database = fs::path(default_key_file(arguments.folder)).replace_extension(".db").string();
   if (!arguments.server.empty() || !lies_in(arguments.database, arguments.folder)) return done();
   return failed(Exit::kUsage, fmt::format("--db {} lies in the set's folder (its runs tell every truth) put it elsewhere", arguments.database));
 }
@@ -52,7 +53,8 @@ Outcome draw_set(const Arguments& arguments, const std::string& key, Session& se
   if (auto got = session.lab->draw_blind(request, drawn); !got.ok()) return session.explain(got);
   if (auto sealed = seal_truths(drawn, key, set, folder); !sealed.ok()) return sealed;
   console.err << fmt::format("{} truths drawn and committed to, before any run. {}:\n  {}\n", drawn.truths_size(),
-                             set.seed ? "A DEVELOPMENT set, no part of any record" : "Publish this now, it binds you to all of them", folder.list_digest());
+                             set.seed ? "A DEVELOPMENT set, no part of any record" : "Publish this now, it binds you to all of them",
+                             folder.list_digest());
   return done();
 }
 
@@ -60,12 +62,14 @@ Outcome draw_set(const Arguments& arguments, const std::string& key, Session& se
 Outcome same_set(const Arguments& arguments, const BlindSet& set) {
   const Arguments usual;
   const auto differs = [](unsigned asked, unsigned standard, unsigned is) { return asked != standard && asked != is; };
-  if (!differs(arguments.cases, usual.cases, set.cases) && !differs(arguments.nulls, usual.nulls, set.nulls) && !differs(arguments.specimens, usual.specimens, set.specimens) &&
-      (!arguments.development || set.seed == arguments.random_seed)) {
+  if (!differs(arguments.cases, usual.cases, set.cases) && !differs(arguments.nulls, usual.nulls, set.nulls) &&
+      !differs(arguments.specimens, usual.specimens, set.specimens) && (!arguments.development || set.seed == arguments.random_seed)) {
     return done();
   }
-  return failed(Exit::kUsage, fmt::format("{} holds another set ({} cases, {} extra nulls, {} specimens{}) leave the options out to go on with it, or choose another DIR", arguments.folder, set.cases,
-                                          set.nulls, set.specimens, set.seed ? fmt::format(", development seed {}", *set.seed) : ""));
+  return failed(
+      Exit::kUsage,
+      fmt::format("{} holds another set ({} cases, {} extra nulls, {} specimens{}) leave the options out to go on with it, or choose another DIR",
+                  arguments.folder, set.cases, set.nulls, set.specimens, set.seed ? fmt::format(", development seed {}", *set.seed) : ""));
 }
 
 /// Hands in every design of a case; what is known already is taken as it is.
@@ -103,7 +107,8 @@ Outcome measure(const Arguments& arguments, const BlindFolder& folder, Session& 
   return write_file(folder.case_file(one.id), reply.file());
 }
 
-Outcome run_cases(const Arguments& arguments, const BlindFolder& folder, const std::string& key, std::vector<BlindCase> cases, Session& session, Console& console) {
+Outcome run_cases(const Arguments& arguments, const BlindFolder& folder, const std::string& key, std::vector<BlindCase> cases, Session& session,
+                  Console& console) {
   for (BlindCase& one : cases) {
     const auto commitment = std::ranges::find(folder.commitments(), one.id, &Digest::id);
     std::string text;
@@ -143,9 +148,11 @@ void say_what_next(const Arguments& arguments, const fs::path& key, const BlindF
     console.out << text_of(out) << std::flush;
     return;
   }
-  console.out << fmt::format("{} of {} cases measured in {}{}\n", all - left, all, arguments.folder, folder.set().seed ? " (DEVELOPMENT set, no part of any record)" : "");
-  console.out << fmt::format("{} is the key of the truths; {} tells them too. The solver is denied both; keep them from people as well until the reveal.\n", key.string(),
-                             arguments.server.empty() ? arguments.database : "the database of " + arguments.server);
+  console.out << fmt::format("{} of {} cases measured in {}{}\n", all - left, all, arguments.folder,
+                             folder.set().seed ? " (DEVELOPMENT set, no part of any record)" : "");
+  console.out << fmt::format(
+      "{} is the key of the truths; {} tells them too. The solver is denied both; keep them from people as well until the reveal.\n", key.string(),
+      arguments.server.empty() ? arguments.database : "the database of " + arguments.server);
   console.out << std::flush;
   console.err << fmt::format("next: regolab gap blind {} {}\n", left > 0 ? "make" : "solve", arguments.folder);
 }
@@ -156,7 +163,9 @@ Outcome blind_make(const Arguments& given, Console& console) {
   Arguments arguments = given;
   const fs::path key_file = arguments.key.empty() ? default_key_file(arguments.folder) : fs::path(arguments.key);
   if (auto placed = place_runs(arguments); !placed.ok()) return placed;
-  if (lies_in(key_file, arguments.folder)) return failed(Exit::kUsage, fmt::format("--key {} lies in the set's folder (whoever has the cases would have the key) put it elsewhere", key_file.string()));
+  if (lies_in(key_file, arguments.folder))
+    return failed(Exit::kUsage,
+                  fmt::format("--key {} lies in the set's folder (whoever has the cases would have the key) put it elsewhere", key_file.string()));
   BlindFolder folder(arguments.folder);
   if (auto locked = folder.lock(true); !locked.ok()) return locked;
   const bool known = folder.drawn();

@@ -29,7 +29,8 @@ Outcome gather(const BlindFolder& folder, const Digest& commitment, const std::s
   if (auto got = read(folder.case_file(commitment.id), observations); !got.ok()) return got;
   const auto j = nlohmann::json::parse(answer, nullptr, false);
   if (!j.is_object() || !j.contains("provenance") || j["provenance"].value("measurements", "") != sha256_hex(observations)) {
-    return failed(Exit::kInvalidInput, fmt::format("{} was changed after it was answered (the answer names another SHA-256) restore it", folder.case_file(commitment.id).string()));
+    return failed(Exit::kInvalidInput, fmt::format("{} was changed after it was answered (the answer names another SHA-256) restore it",
+                                                   folder.case_file(commitment.id).string()));
   }
   std::error_code ignored;
   if (fs::exists(folder.shrinkage_file(commitment.id), ignored)) {
@@ -64,8 +65,10 @@ Outcome blind_reveal(const Arguments& arguments, Console& console) {
   if (auto whole = folder.check_answers(); !whole.ok()) return whole;
   const std::size_t missing = folder.commitments().size() - folder.answers().size();
   if (folder.answers().empty() || (missing > 0 && !arguments.partial)) {
-    return failed(Exit::kUsage, fmt::format("{} of {} cases have no answer (once truths lie open, nobody can give one) answer them: regolab gap blind solve {}{}", missing,
-                                            folder.commitments().size(), arguments.folder, folder.answers().empty() ? "" : "; or --partial, which is then said in the record"));
+    return failed(Exit::kUsage,
+                  fmt::format("{} of {} cases have no answer (once truths lie open, nobody can give one) answer them: regolab gap blind solve {}{}",
+                              missing, folder.commitments().size(), arguments.folder,
+                              folder.answers().empty() ? "" : "; or --partial, which is then said in the record"));
   }
   std::string key;
   const fs::path key_file = arguments.key.empty() ? default_key_file(arguments.folder) : fs::path(arguments.key);
@@ -89,7 +92,8 @@ Outcome blind_reveal(const Arguments& arguments, Console& console) {
   if (auto written = write_truths(folder, ids, messages); !written.ok()) return written;
   if (auto written = write_record(folder, reply); !written.ok()) return written;
   console.out << (arguments.json ? reply.score_json() : reply.text()) << std::flush;
-  console.err << fmt::format("\nevery commitment held ({} truths, {} answers). truths, record.csv, score.json, score.txt are in {}\n", ids.size(), folder.answers().size(), arguments.folder);
+  console.err << fmt::format("\nevery commitment held ({} truths, {} answers). truths, record.csv, score.json, score.txt are in {}\n", ids.size(),
+                             folder.answers().size(), arguments.folder);
   return done();
 }
 

@@ -23,7 +23,8 @@ Error not_ours() { return {Code::kDataLoss, "the seal does not open (another key
 }  // namespace
 
 Result<std::string> sealed(std::string_view key, std::string_view text, std::string_view name) {
-  if (key.size() != kKeyBytes) return invalid("the key has " + std::to_string(key.size()) + " bytes (AES-256 takes 32) take a key that was made for a set");
+  if (key.size() != kKeyBytes)
+    return invalid("the key has " + std::to_string(key.size()) + " bytes (AES-256 takes 32) take a key that was made for a set");
   auto nonce = random_bytes(kNonce);
   if (!nonce.ok()) return nonce.error();
   const Context context = new_context();

@@ -42,7 +42,8 @@ struct Gathering {
       if (spec.kind == StageKind::kFabric) record.fabric = std::move(*result);
       if (spec.kind == StageKind::kRepose) record.repose = std::move(*result);
       for (const gap::StressLevel& level : part.stress) {
-        if (spec.kind == StageKind::kStress && std::abs(level.applied - spec.confining_stress) < 0.5) record.stress[level.said] = gap::relabelled(*result, level.applied, level.said);
+        if (spec.kind == StageKind::kStress && std::abs(level.applied - spec.confining_stress) < 0.5)
+          record.stress[level.said] = gap::relabelled(*result, level.applied, level.said);
       }
     }
     return {};
@@ -61,7 +62,9 @@ grpc::Status BlindService::Draw(grpc::ServerContext*, const v1::BlindDrawRequest
   if (request->secret().size() != kSecretBytes) return to_grpc(invalid("secret (must be 32 bytes) draw it from the system's entropy"));
   if (request->specimens() < 1 || request->specimens() > 100) return to_grpc(invalid("specimens (must be 1 to 100) take 3"));
   if (request->cases() > kMostCases || request->nulls() > kMostCases) return to_grpc(invalid("cases (at most 100000) ask for fewer"));
-  const gap::BlindPlan plan{.cases = static_cast<int>(request->cases()), .nulls = static_cast<int>(request->nulls()), .specimens = static_cast<int>(request->specimens()),
+  const gap::BlindPlan plan{.cases = static_cast<int>(request->cases()),
+                            .nulls = static_cast<int>(request->nulls()),
+                            .specimens = static_cast<int>(request->specimens()),
                             .development = request->development()};
   for (const gap::Truth& truth : gap::draw_truths(plan, request->secret())) {
     auto& out = *reply->add_truths();
@@ -87,7 +90,8 @@ grpc::Status BlindService::Observe(grpc::ServerContext*, const v1::BlindObserveR
   const auto truth = gap::truth_from(request->truth().text());
   if (!truth.ok()) return to_grpc(truth.error());
   const auto parts = gap::parts_of(*truth);
-  if (static_cast<std::size_t>(request->experiments_size()) != parts.size()) return to_grpc(invalid("experiments (one for each design of the case) hand in all of them"));
+  if (static_cast<std::size_t>(request->experiments_size()) != parts.size())
+    return to_grpc(invalid("experiments (one for each design of the case) hand in all of them"));
   auto reader = Reader::open(database_);
   if (!reader.ok()) return to_grpc(reader.error());
   Gathering gathered;

@@ -29,14 +29,16 @@ std::uint64_t all_files(int version) {
 std::string landlock() {
   const int version = landlock_version();
   if (version < 1) return "no landlock (the kernel has none)";
-  const Ruleset rules{.files = all_files(version), .network = version >= kNetworkSince ? kTcp : 0, .scope = version >= kScopeSince ? kSignalsAndSockets : 0};
+  const Ruleset rules{
+      .files = all_files(version), .network = version >= kNetworkSince ? kTcp : 0, .scope = version >= kScopeSince ? kSignalsAndSockets : 0};
   const std::size_t size = version >= kScopeSince ? 24 : version >= kNetworkSince ? 16 : 8;
   const auto set = static_cast<int>(syscall(SYS_landlock_create_ruleset, &rules, size, 0));
   const bool held = set >= 0 && prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) == 0 && syscall(SYS_landlock_restrict_self, set, 0) == 0;
   const int error = errno;
   if (set >= 0) close(set);
   if (!held) return std::string("no landlock (") + std::strerror(error) + ")";
-  return "landlock abi " + std::to_string(version) + " (no files" + (rules.network != 0 ? ", no TCP" : "") + (rules.scope != 0 ? ", no signals" : "") + ")";
+  return "landlock abi " + std::to_string(version) + " (no files" + (rules.network != 0 ? ", no TCP" : "") +
+         (rules.scope != 0 ? ", no signals" : "") + ")";
 }
 
 std::string no_descriptors() {

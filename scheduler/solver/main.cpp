@@ -61,7 +61,11 @@ int run(const std::string& bank_file, const std::string& kernels_file, std::uint
   const std::string protection = confine({});
   const std::string measurements(std::istreambuf_iterator<char>(std::cin), {});
   gap::Answer answer = answer_to(measurements, *bank.emulator(), seed);
-  answer.source = {.bank = sha256_hex(csv.empty() ? std::string(gap::shipped_bank()) : csv).substr(0, 12), .measurements = sha256_hex(measurements), .program = REGOLAB_VERSION, .seed = seed, .protection = protection};
+  answer.source = {.bank = sha256_hex(csv.empty() ? std::string(gap::shipped_bank()) : csv).substr(0, 12),
+                   .measurements = sha256_hex(measurements),
+                   .program = REGOLAB_VERSION,
+                   .seed = seed,
+                   .protection = protection};
   std::cout << gap::answer_text(answer) << std::flush;
   return std::cout ? kDone : 1;
 }

@@ -11,11 +11,11 @@ namespace regolab::gap {
 
 /// What made it, so that anybody can make it again.
 struct AnswerSource {
-  std::string bank;             ///< SHA-256 of its text, 12 digits
-  std::string measurements;     ///< SHA-256 of the observation file
-  std::string program;          ///< version
+  std::string bank;          ///< SHA-256 of its text, 12 digits
+  std::string measurements;  ///< SHA-256 of the observation file
+  std::string program;       ///< version
   std::uint64_t seed = 1;
-  std::string protection;       ///< what kept the solver from reading the truth
+  std::string protection;  ///< what kept the solver from reading the truth
 };
 
 struct Answer {
@@ -24,7 +24,7 @@ struct Answer {
   Diagnosis diagnosis;
   Baselines baselines;
   AnswerSource source;
-  std::string where;    ///< group that is off most surely, of an answer read back
+  std::string where;  ///< group that is off most surely, of an answer read back
 };
 
 std::string answer_text(const Answer& answer);

@@ -56,25 +56,36 @@ void weigh_by_bic(std::vector<Refit>& refits, double features) {
 class Refitting {
  public:
   Refitting(const Emulator& emulator, const ObservationSet& set, std::uint64_t seed)
-      : emulator_(emulator), comparison_(compare(emulator, set)), stated_(stated_in(set, emulator.space())), seed_(seed), sd_(comparison_.variance.cwiseSqrt()) {}
+      : emulator_(emulator),
+        comparison_(compare(emulator, set)),
+        stated_(stated_in(set, emulator.space())),
+        seed_(seed),
+        sd_(comparison_.variance.cwiseSqrt()) {}
 
   Index features() const { return comparison_.size(); }
 
   Refit refit(const Hypothesis& hypothesis) {
     const Likelihood likelihood(emulator_, comparison_, hypothesis, stated_);
-    const auto off = [&](const MatrixXd& u) -> MatrixXd { return sd_.cwiseInverse().asDiagonal() * (comparison_.y.replicate(1, u.cols()) - likelihood.predict(u).mean); };
+    const auto off = [&](const MatrixXd& u) -> MatrixXd {
+      return sd_.cwiseInverse().asDiagonal() * (comparison_.y.replicate(1, u.cols()) - likelihood.predict(u).mean);
+    };
     const LogLikelihood misfit = [&](const MatrixXd& u) -> VectorXd { return -0.5 * off(u).colwise().squaredNorm().transpose(); };
     const Best closest = maximum(misfit, likelihood.parameters(), seed_);
     const Best likely = maximum([&](const MatrixXd& u) { return likelihood(u); }, likelihood.parameters(), seed_ + 1);
     if (hypothesis.causes.empty()) left_ = off(closest.u), at_ = closest.u;
-    return {.model = hypothesis.name, .rms = std::sqrt(-2 * closest.value / static_cast<double>(features())), .log_likelihood = likely.value, .parameters = likelihood.parameters()};
+    return {.model = hypothesis.name,
+            .rms = std::sqrt(-2 * closest.value / static_cast<double>(features())),
+            .log_likelihood = likely.value,
+            .parameters = likelihood.parameters()};
   }
 
   /// REQUIRES: the base model was refitted.
   double cosine(std::size_t cause) const {
-    const Likelihood with(emulator_, comparison_, {.name = "", .causes = {cause}}, stated_), base(emulator_, comparison_, {.name = "none", .causes = {}}, stated_);
+    const Likelihood with(emulator_, comparison_, {.name = "", .causes = {cause}}, stated_),
+        base(emulator_, comparison_, {.name = "none", .causes = {}}, stated_);
     const EffectInfo& effect = *emulator_.causes()[cause].effect;
-    const double zero = effect.prior_low < 0 ? -effect.prior_low / (effect.prior_high - effect.prior_low) : 0;  // share of no effect: the mean is over one side
+    const double zero =
+        effect.prior_low < 0 ? -effect.prior_low / (effect.prior_high - effect.prior_low) : 0;  // share of no effect: the mean is over one side
     constexpr int kStrengths = 9;
     MatrixXd u = at_.replicate(1, kStrengths);
     u.conservativeResize(at_.size() + 1, Eigen::NoChange);
@@ -107,7 +118,8 @@ Baselines baselines_of(const Emulator& emulator, const ObservationSet& set, std:
     out.refits.back().cosine = refitting.cosine(c);
   }
   weigh_by_bic(out.refits, static_cast<double>(refitting.features()));
-  out.base_misfit_p = boost::math::cdf(boost::math::complement(boost::math::chi_squared(static_cast<double>(refitting.features())), refitting.misfit()));
+  out.base_misfit_p =
+      boost::math::cdf(boost::math::complement(boost::math::chi_squared(static_cast<double>(refitting.features())), refitting.misfit()));
   out.lowest_rms = smallest_rms(out.refits);
   out.bic = std::ranges::max_element(out.refits, {}, &Refit::bic_probability)->model;
   out.nearest_pattern = out.base_misfit_p > kWithinChance ? "none" : std::ranges::max_element(out.refits, {}, &Refit::cosine)->model;

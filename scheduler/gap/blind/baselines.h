@@ -13,8 +13,8 @@ struct Refit {
   double rms = 0;             ///< of (measured - predicted)/standard error; errors are those of measurement and seeds
   double log_likelihood = 0;  ///< largest, with full covariance
   int parameters = 0;
-  double bic_probability = 0; ///< exp(-BIC/2), normalised over the models: equal priors
-  double cosine = 0;          ///< of what the base model leaves with this effect's mean shift; 0 of the base model
+  double bic_probability = 0;  ///< exp(-BIC/2), normalised over the models: equal priors
+  double cosine = 0;           ///< of what the base model leaves with this effect's mean shift; 0 of the base model
 };
 
 struct Baselines {

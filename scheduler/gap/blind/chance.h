@@ -11,12 +11,12 @@ class Chance {
   /// SHA-256 in counter mode over (secret, label).
   Chance(std::string secret, std::string label) : secret_(std::move(secret)), label_(std::move(label)) {}
 
-  double uniform();                            ///< in [0, 1)
+  double uniform();  ///< in [0, 1)
   double between(double low, double high) { return low + (high - low) * uniform(); }
-  double by_ratio(double low, double high);    ///< uniform in the logarithm
+  double by_ratio(double low, double high);  ///< uniform in the logarithm
   std::size_t below(std::size_t n) { return static_cast<std::size_t>(uniform() * static_cast<double>(n)); }
   bool coin() { return uniform() < 0.5; }
-  std::string hex(std::size_t digits);         ///< at most 64
+  std::string hex(std::size_t digits);  ///< at most 64
 
   /// 0 ... n-1 in random order.
   std::vector<std::size_t> order(std::size_t n);

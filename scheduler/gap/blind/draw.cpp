@@ -156,8 +156,10 @@ std::vector<CauseMembers> all_causes() {
     if (effect.variant_of) continue;
     const std::string name(effect.name), cause = cause_class(name);
     const auto known = std::ranges::find(out, cause, &CauseMembers::cause);
-    if (known == out.end()) out.push_back({cause, {name}});
-    else known->effects.push_back(name);
+    if (known == out.end())
+      out.push_back({cause, {name}});
+    else
+      known->effects.push_back(name);
   }
   return out;
 }

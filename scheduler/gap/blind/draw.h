@@ -8,8 +8,8 @@
 namespace regolab::gap {
 
 struct BlindPlan {
-  int cases = 96;      ///< single effects, nulls, pairs and unknowns, in the shares below
-  int nulls = 60;      ///< extra ones
+  int cases = 96;  ///< single effects, nulls, pairs and unknowns, in the shares below
+  int nulls = 60;  ///< extra ones
   int specimens = 3;
   bool development = false;
 };

@@ -75,8 +75,17 @@ double StrengthMark::log_error() const {
 
 Mark mark_of(const Truth& truth, const Answer& answer, const std::optional<TrueGap>& gap, const std::optional<MeasuredShrinkage>& shrinkage) {
   const Diagnosis& d = answer.diagnosis;
-  Mark out{.truth = truth, .answer = answer_of(truth), .verdict = std::string(name_of(d.verdict)), .ours = doubting(named_by(d), probabilities(d)), .gap = gap, .strength = strength_mark(truth, d),
-           .shrinkage = shrinkage, .baselines = {}, .problem = answer.problem, .protection = answer.source.protection, .adequacy = d.adequacy};
+  Mark out{.truth = truth,
+           .answer = answer_of(truth),
+           .verdict = std::string(name_of(d.verdict)),
+           .ours = doubting(named_by(d), probabilities(d)),
+           .gap = gap,
+           .strength = strength_mark(truth, d),
+           .shrinkage = shrinkage,
+           .baselines = {},
+           .problem = answer.problem,
+           .protection = answer.source.protection,
+           .adequacy = d.adequacy};
   for (const auto& [name, p] : out.ours.p) out.declared_confidence = std::max(out.declared_confidence, p);
   out.strictly_right = out.ours.named == out.answer;
   out.right = out.strictly_right || (d.verdict == Verdict::kCannotTell && gap && gap->isolability < kIdentifiable);

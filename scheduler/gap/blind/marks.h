@@ -49,14 +49,14 @@ struct StrengthMark {
 
 struct Mark {
   Truth truth;
-  std::string answer;   ///< the right one
-  std::string verdict;  ///< "EFFECT", ...
-  Opinion ours;         ///< named: "" of CANNOT TELL
+  std::string answer;              ///< the right one
+  std::string verdict;             ///< "EFFECT", ...
+  Opinion ours;                    ///< named: "" of CANNOT TELL
   double declared_confidence = 0;  ///< probability of the most probable answer
   bool right = false, strictly_right = false;
   std::optional<TrueGap> gap;
-  std::optional<StrengthMark> strength;      ///< of single effects whose model was weighed, named or not
-  std::optional<bool> where;                 ///< the truly moved group stands first
+  std::optional<StrengthMark> strength;  ///< of single effects whose model was weighed, named or not
+  std::optional<bool> where;             ///< the truly moved group stands first
   std::optional<MeasuredShrinkage> shrinkage;
   std::map<std::string, Opinion> baselines;  ///< lowest_rms, bic, nearest_pattern; the first and the last without probabilities yet
   std::string problem, protection;

@@ -73,11 +73,13 @@ BlindDesign design_of(const Truth& truth, std::size_t part) {
   for (const StressLevel& level : p.stress) stresses += (stresses.empty() ? "" : ", ") + number_text(level.applied / 1000) + " kPa";
   BlindDesign out;
   out.yaml = "name: blind-" + truth.id + "\nprofile: quick\nparticles: " + std::to_string(truth.particles) + "\nseeds: [" + seeds +
-             "]\narray: {table: case.csv}\nfixed: {particle_density: 2.93 g/cm3, K_N: " + number_text(m.normal_stiffness) + " N/m, eta_N: " + number_text(m.normal_damping) +
-             " N s/m, K_T: " + number_text(m.tangential_stiffness) + " N/m, eta_T: " + number_text(m.tangential_damping) + " N s/m, L_S: " + number_text(m.largest_cm) +
-             " cm, N_E: " + m.elements + ", rotation: " + m.rotation + ", gravity: " + number_text(m.gravity) + " m/s2}\n" + strengths(truth) +
+             "]\narray: {table: case.csv}\nfixed: {particle_density: 2.93 g/cm3, K_N: " + number_text(m.normal_stiffness) +
+             " N/m, eta_N: " + number_text(m.normal_damping) + " N s/m, K_T: " + number_text(m.tangential_stiffness) +
+             " N/m, eta_T: " + number_text(m.tangential_damping) + " N s/m, L_S: " + number_text(m.largest_cm) + " cm, N_E: " + m.elements +
+             ", rotation: " + m.rotation + ", gravity: " + number_text(m.gravity) + " m/s2}\n" + strengths(truth) +
              "numerics: {stress_stiffness_number: 0, isotropic_servo_steps: 200, step_fraction: " + number_text(truth.step_fraction) + "}\n";
-  out.yaml += std::string("tests: [settle, contacts, density") + (p.bed ? ", repose" : "") + (p.stress.empty() ? "]\n" : ", stress]\nstress: {sigma3: [" + stresses + "]}\n");
+  out.yaml += std::string("tests: [settle, contacts, density") + (p.bed ? ", repose" : "") +
+              (p.stress.empty() ? "]\n" : ", stress]\nstress: {sigma3: [" + stresses + "]}\n");
   out.table = "theta_F_deg\n" + number_text(m.friction_deg) + "\n";  // a design varies something, if only by name
   return out;
 }

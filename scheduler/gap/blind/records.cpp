@@ -6,7 +6,6 @@
 
 #include "apparatus/stress_results.h"
 #include "scheduler/gap/blind/parts.h"
-#include "vocab/units.h"
 
 namespace regolab::gap {
 namespace {
@@ -20,12 +19,17 @@ const Curve* curve_of(const StageResult& result, const std::string& id) {
 
 std::vector<StressSample> samples_of(const StageResult& result, double sigma3) {
   const std::string at = stress_id(sigma3);
-  const Curve *top = curve_of(result, "top_plate_stress" + at), *bottom = curve_of(result, "bottom_plate_stress" + at), *lateral = curve_of(result, "sigma3" + at),
-              *volume = curve_of(result, "volumetric_strain_contraction_positive" + at);
+  const Curve *top = curve_of(result, "top_plate_stress" + at), *bottom = curve_of(result, "bottom_plate_stress" + at),
+              *lateral = curve_of(result, "sigma3" + at), *volume = curve_of(result, "volumetric_strain_contraction_positive" + at);
   std::vector<StressSample> out;
   if (!top || !bottom || !lateral || !volume) return out;
   for (std::size_t i = 0; i < top->x.size(); ++i) {
-    out.push_back({.strain = top->x[i], .top = top->y[i], .bottom = bottom->y[i], .lateral_x = lateral->y[i], .lateral_y = lateral->y[i], .volumetric_strain = volume->y[i]});
+    out.push_back({.strain = top->x[i],
+                   .top = top->y[i],
+                   .bottom = bottom->y[i],
+                   .lateral_x = lateral->y[i],
+                   .lateral_y = lateral->y[i],
+                   .volumetric_strain = volume->y[i]});
   }
   return out;
 }
@@ -72,21 +76,6 @@ void swap_axial(SpecimenRecord& record, std::size_t first) {
   at_b->second = with_samples(at_b->second, in_b, b);
 }
 
-/// Slopes are read against a base that is turned by `tilt`: so are the heights over it.
-void tilt_base(StageResult& repose, double tilt) {
-  for (Measurement& m : repose.measurements) {
-    if (m.id == "repose_angle" || m.id == "repose_angle_whole" || m.id == "repose_angle_wedge") m.value = std::clamp(m.value + tilt, 0.0, 89 * kDegree);
-  }
-  for (Curve& c : repose.curves) {
-    if (c.id != "repose_profile" || c.x.empty()) continue;
-    const double edge = c.x.back() + c.x.front();  // points are the middles of columns
-    double mean = 0;
-    for (const double h : c.y) mean += h / static_cast<double>(c.y.size());
-    const double slope = 2 * mean / edge, read = std::tan(std::clamp(std::atan(slope) + tilt, 0.0, 89 * kDegree));
-    for (std::size_t i = 0; i < c.x.size(); ++i) c.y[i] += (edge - c.x[i]) * (read - slope);
-  }
-}
-
 void misread_height(StageResult& fabric, double share) {
   for (Measurement& m : fabric.measurements) {
     if (m.id == "bulk_density" || m.id == "bulk_density_Hmax") m.value /= 1 + share;
@@ -106,17 +95,17 @@ StageResult relabelled(const StageResult& result, double applied, double said) {
 void misrecord(const Truth& truth, SpecimenRecord& record) {
   const auto parameter = [&](const char* name) { return truth.parameters.at(name); };
   if (truth.unknown == "drifting_load_cell") {
-    change_axial(record, [](double s, double strain, double drift) { return s + drift * strain / 0.2; }, parameter("drift_at_0.2_Pa"));
+    change_axial(
+        record, [](double s, double strain, double drift) { return s + drift * strain / 0.2; }, parameter("drift_at_0.2_Pa"));
   } else if (truth.unknown == "saturating_load_cell") {
-    change_axial(record, [](double s, double, double s0) { return s / std::hypot(1, s / s0); }, parameter("s_0_Pa"));
+    change_axial(
+        record, [](double s, double, double s0) { return s / std::hypot(1, s / s0); }, parameter("s_0_Pa"));
   } else if (truth.unknown == "bottom_cell_gain") {
     change_samples(record, [&](StressSample& s) { s.bottom *= 1 + parameter("gain"); });
   } else if (truth.unknown == "leaking_volume_gauge") {
     change_samples(record, [&](StressSample& s) { s.volumetric_strain -= parameter("leak_at_0.2") * s.strain / 0.2; });
   } else if (truth.unknown == "swapped_records") {
     swap_axial(record, static_cast<std::size_t>(parameter("first")));
-  } else if (truth.unknown == "tilted_base" && record.repose) {
-    tilt_base(*record.repose, parameter("tilt_deg") * kDegree);
   } else if (truth.unknown == "misread_height" && record.fabric) {
     misread_height(*record.fabric, parameter("share"));
   }

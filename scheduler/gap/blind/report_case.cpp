@@ -14,7 +14,7 @@ namespace regolab::gap {
 namespace {
 
 constexpr double kStrainStep = 0.0025;
-constexpr int kStrainPoints = 81;        // 0 to 0.2
+constexpr int kStrainPoints = 81;         // 0 to 0.2
 constexpr double kInertialNumber = 1e-2;  // of profile quick
 constexpr double kGrainDensity = 2930;
 
@@ -87,8 +87,15 @@ void add_scalars(const std::vector<SpecimenRecord>& specimens, ObservationSet& o
   for (const std::string& id : order) {
     const Gathered& g = all.at(id);
     const MeanOfSpecimens mean = mean_of(g.values, g.first->unit);
-    out.scalars.push_back({.id = id, .value = mean.value, .unit = g.first->unit, .unit_as_read = g.first->unit, .standard_error = mean.standard_error,
-                           .assumed = g.values.size() < 2, .seeds = static_cast<int>(g.values.size()), .definition = g.first->definition, .sigma3 = scalar_id(id)->sigma3});
+    out.scalars.push_back({.id = id,
+                           .value = mean.value,
+                           .unit = g.first->unit,
+                           .unit_as_read = g.first->unit,
+                           .standard_error = mean.standard_error,
+                           .assumed = g.values.size() < 2,
+                           .seeds = static_cast<int>(g.values.size()),
+                           .definition = g.first->definition,
+                           .sigma3 = scalar_id(id)->sigma3});
   }
 }
 
@@ -100,8 +107,19 @@ struct GatheredCurve {
 
 MeasuredCurve measured(const std::string& id, const GatheredCurve& g) {
   const auto known = curve_id(id);
-  MeasuredCurve out{.id = id, .test = g.first->test, .sigma3 = known->sigma3, .x_name = g.first->x_name, .x_unit = g.first->x_unit, .y_name = g.first->y_name, .y_unit = g.first->y_unit,
-                    .x_unit_as_read = g.first->x_unit, .y_unit_as_read = g.first->y_unit, .x = g.x, .y = {}, .y_standard_error = {}, .assumed = g.y.size() < 2,
+  MeasuredCurve out{.id = id,
+                    .test = g.first->test,
+                    .sigma3 = known->sigma3,
+                    .x_name = g.first->x_name,
+                    .x_unit = g.first->x_unit,
+                    .y_name = g.first->y_name,
+                    .y_unit = g.first->y_unit,
+                    .x_unit_as_read = g.first->x_unit,
+                    .y_unit_as_read = g.first->y_unit,
+                    .x = g.x,
+                    .y = {},
+                    .y_standard_error = {},
+                    .assumed = g.y.size() < 2,
                     .seeds = static_cast<int>(g.y.size())};
   std::size_t shortest = g.x.size();
   for (const auto& y : g.y) shortest = std::min(shortest, y.size());
@@ -155,7 +173,8 @@ void add_conditions(const Truth& truth, ObservationSet& out) {
   out.protocol.gravity = truth.material.gravity;
   out.protocol.preparation = "random generation, replacement, sedimentation in a box with plane walls";
   out.protocol.repose = "right wall removed, lowest layer fixed, material falls off the edge";
-  out.protocol.stress = "no gravity, six plane walls, lateral walls servo-controlled, top plate moves down at a ramped constant rate, bottom plate fixed";
+  out.protocol.stress =
+      "no gravity, six plane walls, lateral walls servo-controlled, top plate moves down at a ramped constant rate, bottom plate fixed";
   for (const double sigma3 : kBlindStresses) {
     out.protocol.sigma3.push_back(sigma3);
     out.protocol.stated_strain_rate.push_back(in_few_digits(kInertialNumber / (0.6 * largest) * std::sqrt(sigma3 / kGrainDensity), "1/s", kDigits));

@@ -43,7 +43,8 @@ void give_confidence(std::vector<Mark>& marks, const std::string& baseline) {
   for (const Mark& m : marks) {
     if (main_case(m)) ++n, hits += m.baselines.at(baseline).named == m.answer;
   }
-  const double others = static_cast<double>(all_answers().size()) - 1, sure = n == 0 ? 0.5 : std::max(1 / (others + 1), static_cast<double>(hits) / n);
+  const double others = static_cast<double>(all_answers().size()) - 1,
+               sure = n == 0 ? 0.5 : std::max(1 / (others + 1), static_cast<double>(hits) / n);
   for (Mark& m : marks) {
     std::map<std::string, double> p;
     const std::string named = m.baselines.at(baseline).named;
@@ -62,13 +63,18 @@ void add_commonest(std::vector<Mark>& marks) {
   for (Mark& m : marks) m.baselines["commonest"] = doubting(most->first, counts);
 }
 
-MethodScore method(const Marks& marks, const std::string& name, const std::function<const Opinion&(const Mark&)>& opinion, const std::function<bool(const Mark&)>& right) {
+MethodScore method(const Marks& marks, const std::string& name, const std::function<const Opinion&(const Mark&)>& opinion,
+                   const std::function<bool(const Mark&)>& right) {
   MethodScore out{.name = name};
   out.top1 = share(marks, right);
-  out.log_score = over(marks, [&](const Mark& m) { return log_score(opinion(m), m.answer); }, &mean);
-  out.brier = over(marks, [&](const Mark& m) { return brier(opinion(m), m.answer); }, &mean);
-  out.log_score_less_ours = over(marks, [&](const Mark& m) { return log_score(opinion(m), m.answer) - log_score(m.ours, m.answer); }, &mean);
-  out.brier_less_ours = over(marks, [&](const Mark& m) { return brier(opinion(m), m.answer) - brier(m.ours, m.answer); }, &mean);
+  out.log_score = over(
+      marks, [&](const Mark& m) { return log_score(opinion(m), m.answer); }, &mean);
+  out.brier = over(
+      marks, [&](const Mark& m) { return brier(opinion(m), m.answer); }, &mean);
+  out.log_score_less_ours = over(
+      marks, [&](const Mark& m) { return log_score(opinion(m), m.answer) - log_score(m.ours, m.answer); }, &mean);
+  out.brier_less_ours = over(
+      marks, [&](const Mark& m) { return brier(opinion(m), m.answer) - brier(m.ours, m.answer); }, &mean);
   return out;
 }
 
@@ -91,13 +97,16 @@ Interval calibration_floor_of(const Marks& marks) {
 }
 
 std::vector<Figure> figures_of(const std::vector<Mark>& marks) {
-  const Marks all = those(marks, &main_case), nulls = those(marks, [](const Mark& m) { return is(m, TruthKind::kNull); }), extra = those(marks, [](const Mark& m) { return m.truth.extra; });
-  const Marks unknown = those(marks, [](const Mark& m) { return is(m, TruthKind::kUnknown); }), known = those(marks, [](const Mark& m) { return main_case(m) && !is(m, TruthKind::kUnknown); });
+  const Marks all = those(marks, &main_case), nulls = those(marks, [](const Mark&m) { return is(m, TruthKind::kNull); }),
+              extra = those(marks, [](const Mark&m) { return m.truth.extra; });
+  const Marks unknown = those(marks, [](const Mark&m) { return is(m, TruthKind::kUnknown); }),
+              known = those(marks, [](const Mark&m) { return main_case(m) && !is(m, TruthKind::kUnknown); });
   const Marks strong = those(marks, [](const Mark& m) { return m.gap && m.gap->isolability > kStrong; });
   const Marks weak = those(marks, [](const Mark& m) { return m.gap && m.gap->isolability <= kStrong; });
   const Marks sized = those(marks, [](const Mark& m) { return m.strength.has_value(); });
   const Marks sized_named = those(marks, [](const Mark& m) { return m.strength.has_value() && m.ours.named == m.answer; });
-  const Marks placed = those(marks, [](const Mark& m) { return m.where.has_value(); }), placed_strong = those(marks, [](const Mark& m) { return m.where.has_value() && m.gap->isolability > kStrong; });
+  const Marks placed = those(marks, [](const Mark&m) { return m.where.has_value(); }),
+              placed_strong = those(marks, [](const Mark&m) { return m.where.has_value() && m.gap->isolability > kStrong; });
   const Marks shrunk = those(marks, [](const Mark& m) { return m.shrinkage.has_value(); });
   const auto right = [](const Mark& m) { return m.right; };
   const auto strictly = [](const Mark& m) { return m.strictly_right; };
@@ -108,8 +117,12 @@ std::vector<Figure> figures_of(const std::vector<Mark>& marks) {
       {"top1_strict", "the same, CANNOT TELL never right", "", share(all, strictly)},
       {"top1_strong", "right, isolability above 4", ">= 0.95", share(strong, right)},
       {"top1_weak", "right, isolability up to 4", "", share(weak, right)},
-      {"log_score", "mean -ln P(right), main cases", "below every baseline", over(all, [](const Mark& m) { return log_score(m.ours, m.answer); }, &mean)},
-      {"brier", "multi-class Brier score, main cases", "below every baseline", over(all, [](const Mark& m) { return brier(m.ours, m.answer); }, &mean)},
+      {"log_score", "mean -ln P(right), main cases", "below every baseline",
+       over(
+           all, [](const Mark& m) { return log_score(m.ours, m.answer); }, &mean)},
+      {"brier", "multi-class Brier score, main cases", "below every baseline",
+       over(
+           all, [](const Mark& m) { return brier(m.ours, m.answer); }, &mean)},
       {"calibration_error", "expected, 5 bins of equal numbers, main cases", "within the floor", calibration(all)},
       {"calibration_floor", "of a perfectly calibrated judge (95 % quantile as the upper end)", "", calibration_floor_of(all)},
       {"false_alarms_extra", "a gap named in extra nulls", "<= 1 of 60", share(extra, &alarm)},
@@ -122,7 +135,9 @@ std::vector<Figure> figures_of(const std::vector<Mark>& marks) {
       {"strength_coverage_all", "the same share, all single effects", "", share(sized, covered)},
       {"where", "truly moved group first", ">= 0.85", share(placed, [](const Mark& m) { return *m.where; })},
       {"where_strong", "the same, isolability above 4", "", share(placed_strong, [](const Mark& m) { return *m.where; })},
-      {"shrinkage", "median S, measured by new runs", ">= 0.7", over(shrunk, [](const Mark& m) { return m.shrinkage->s; }, &middle)},
+      {"shrinkage", "median S, measured by new runs", ">= 0.7",
+       over(
+           shrunk, [](const Mark& m) { return m.shrinkage->s; }, &middle)},
   };
 }
 
@@ -145,16 +160,23 @@ Score score_of(std::vector<Mark>& marks, int missing) {
   out.cases = static_cast<int>(marks.size()) - out.extra;
   out.figures = figures_of(marks);
   const Marks all = those(marks, &main_case);
-  out.methods.push_back(method(all, "ours", [](const Mark& m) -> const Opinion& { return m.ours; }, [](const Mark& m) { return m.strictly_right; }));
+  out.methods.push_back(method(
+      all, "ours", [](const Mark& m) -> const Opinion& { return m.ours; }, [](const Mark& m) { return m.strictly_right; }));
   for (const char* name : {"lowest_rms", "bic", "nearest_pattern", "commonest"}) {
     if (all.empty()) break;
-    out.methods.push_back(method(all, name, [&](const Mark& m) -> const Opinion& { return m.baselines.at(name); }, [&](const Mark& m) { return m.baselines.at(name).named == m.answer; }));
+    out.methods.push_back(method(
+        all, name, [&](const Mark& m) -> const Opinion& { return m.baselines.at(name); },
+        [&](const Mark& m) { return m.baselines.at(name).named == m.answer; }));
   }
   for (const Mark* m : all) {
     auto& group = is(*m, TruthKind::kUnknown) ? out.unknowns : out.effects;
     const std::string& key = is(*m, TruthKind::kUnknown) ? m->truth.unknown : is(*m, TruthKind::kPair) ? "pair" : m->answer;
     if (group.contains(key)) continue;
-    group[key] = share(those(marks, [&](const Mark& o) { return main_case(o) && o.truth.kind == m->truth.kind && o.truth.unknown == m->truth.unknown && (is(o, TruthKind::kPair) || o.answer == m->answer); }),
+    group[key] = share(those(marks,
+                             [&](const Mark& o) {
+                               return main_case(o) && o.truth.kind == m->truth.kind && o.truth.unknown == m->truth.unknown &&
+                                      (is(o, TruthKind::kPair) || o.answer == m->answer);
+                             }),
                        [](const Mark& o) { return o.right; });
   }
   return out;

@@ -18,17 +18,17 @@ struct Figure {
 /// One way of answering, on the main cases.
 struct MethodScore {
   std::string name;
-  Interval top1, log_score, brier;            ///< log score: mean of -ln P(right), lower is better, as Brier
+  Interval top1, log_score, brier;                ///< log score: mean of -ln P(right), lower is better, as Brier
   Interval log_score_less_ours, brier_less_ours;  ///< paired; above 0: ours is better
 };
 
 struct Score {
   bool development = false;
-  int cases = 0, extra = 0, missing = 0;      ///< missing: committed to, not answered
+  int cases = 0, extra = 0, missing = 0;  ///< missing: committed to, not answered
   std::vector<Figure> figures;
-  std::vector<MethodScore> methods;           ///< ours first
-  std::map<std::string, Interval> unknowns;   ///< by kind: detected
-  std::map<std::string, Interval> effects;    ///< by class: right
+  std::vector<MethodScore> methods;          ///< ours first
+  std::map<std::string, Interval> unknowns;  ///< by kind: detected
+  std::map<std::string, Interval> effects;   ///< by class: right
 };
 
 /// The baselines without probabilities of their own get, in hindsight, the one confidence that suits them best: the share that they had

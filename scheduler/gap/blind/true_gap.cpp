@@ -21,9 +21,10 @@ double choice_number(const std::string& name) {
 
 /// The truth in the unit cube of the base model, which has the axes that nobody states exactly.
 VectorXd place_of(const BlindMaterial& m, const Space& space, const std::map<std::string, Stated>& stated) {
-  const std::map<std::string, double> si{{"theta_F", m.friction_deg * kDegree}, {"K_N", m.normal_stiffness}, {"eta_N", m.normal_damping},
-                                         {"K_T", m.tangential_stiffness}, {"eta_T", m.tangential_damping}, {"L_S", m.largest_cm / 100},
-                                         {"gravity", m.gravity}, {"N_E", choice_number(m.elements)}, {"rotation", choice_number(m.rotation)}};
+  const std::map<std::string, double> si{
+      {"theta_F", m.friction_deg * kDegree},  {"K_N", m.normal_stiffness}, {"eta_N", m.normal_damping}, {"K_T", m.tangential_stiffness},
+      {"eta_T", m.tangential_damping},        {"L_S", m.largest_cm / 100}, {"gravity", m.gravity},      {"N_E", choice_number(m.elements)},
+      {"rotation", choice_number(m.rotation)}};
   std::vector<double> out;
   for (const Axis& axis : space.axes) {
     const auto known = stated.find(axis.name);

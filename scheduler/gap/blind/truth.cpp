@@ -14,15 +14,27 @@ constexpr const char* kFormat = "regolab.blind-truth/1";
 constexpr TruthKind kKinds[] = {TruthKind::kNull, TruthKind::kEffect, TruthKind::kPair, TruthKind::kUnknown};
 
 Json json_of(const BlindMaterial& m) {
-  return {{"theta_F_deg", m.friction_deg},       {"K_N_N_per_m", m.normal_stiffness},   {"eta_N_N_s_per_m", m.normal_damping},
-          {"K_T_N_per_m", m.tangential_stiffness}, {"eta_T_N_s_per_m", m.tangential_damping}, {"L_S_cm", m.largest_cm},
-          {"N_E", m.elements},                   {"rotation", m.rotation},              {"gravity_m_per_s2", m.gravity}};
+  return {{"theta_F_deg", m.friction_deg},
+          {"K_N_N_per_m", m.normal_stiffness},
+          {"eta_N_N_s_per_m", m.normal_damping},
+          {"K_T_N_per_m", m.tangential_stiffness},
+          {"eta_T_N_s_per_m", m.tangential_damping},
+          {"L_S_cm", m.largest_cm},
+          {"N_E", m.elements},
+          {"rotation", m.rotation},
+          {"gravity_m_per_s2", m.gravity}};
 }
 
 BlindMaterial material_from(const Json& j) {
-  return {.friction_deg = j.at("theta_F_deg"), .normal_stiffness = j.at("K_N_N_per_m"), .normal_damping = j.at("eta_N_N_s_per_m"),
-          .tangential_stiffness = j.at("K_T_N_per_m"), .tangential_damping = j.at("eta_T_N_s_per_m"), .largest_cm = j.at("L_S_cm"),
-          .gravity = j.at("gravity_m_per_s2"), .elements = j.at("N_E"), .rotation = j.at("rotation")};
+  return {.friction_deg = j.at("theta_F_deg"),
+          .normal_stiffness = j.at("K_N_N_per_m"),
+          .normal_damping = j.at("eta_N_N_s_per_m"),
+          .tangential_stiffness = j.at("K_T_N_per_m"),
+          .tangential_damping = j.at("eta_T_N_s_per_m"),
+          .largest_cm = j.at("L_S_cm"),
+          .gravity = j.at("gravity_m_per_s2"),
+          .elements = j.at("N_E"),
+          .rotation = j.at("rotation")};
 }
 
 TruthKind kind_from(const std::string& name) {
@@ -33,9 +45,19 @@ TruthKind kind_from(const std::string& name) {
 }
 
 Truth truth_of(const Json& j) {
-  Truth t{.id = j.at("case"), .development = j.at("development"), .extra = j.at("tier") == "extra", .kind = kind_from(j.at("kind")), .effects = j.at("effects_si"),
-          .variants = j.at("variants"), .unknown = j.at("unknown"), .parameters = j.at("parameters"), .material = material_from(j.at("material")),
-          .particles = j.at("particles"), .step_fraction = j.at("step_fraction"), .seeds = j.at("seeds"), .nonce = j.at("nonce")};
+  Truth t{.id = j.at("case"),
+          .development = j.at("development"),
+          .extra = j.at("tier") == "extra",
+          .kind = kind_from(j.at("kind")),
+          .effects = j.at("effects_si"),
+          .variants = j.at("variants"),
+          .unknown = j.at("unknown"),
+          .parameters = j.at("parameters"),
+          .material = material_from(j.at("material")),
+          .particles = j.at("particles"),
+          .step_fraction = j.at("step_fraction"),
+          .seeds = j.at("seeds"),
+          .nonce = j.at("nonce")};
   return t;
 }
 

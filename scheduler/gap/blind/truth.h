@@ -11,13 +11,13 @@ namespace regolab::gap {
 
 /// Micro-parameters in the units that designs are written in; N_E and rotation as designs name them.
 struct BlindMaterial {
-  double friction_deg = 0;           ///< theta_F
-  double normal_stiffness = 0;       ///< K_N [N/m]
-  double normal_damping = 0;         ///< eta_N [N s/m]
-  double tangential_stiffness = 0;   ///< K_T [N/m]
-  double tangential_damping = 0;     ///< eta_T [N s/m]
-  double largest_cm = 0;             ///< L_S
-  double gravity = 0;                ///< [m/s2]
+  double friction_deg = 0;          ///< theta_F
+  double normal_stiffness = 0;      ///< K_N [N/m]
+  double normal_damping = 0;        ///< eta_N [N s/m]
+  double tangential_stiffness = 0;  ///< K_T [N/m]
+  double tangential_damping = 0;    ///< eta_T [N s/m]
+  double largest_cm = 0;            ///< L_S
+  double gravity = 0;               ///< [m/s2]
   std::string elements, rotation;
 
   bool operator==(const BlindMaterial&) const = default;
@@ -27,19 +27,19 @@ enum class TruthKind { kNull, kEffect, kPair, kUnknown };
 std::string_view name_of(TruthKind kind);  ///< "null", "effect", "pair", "unknown"
 
 struct Truth {
-  std::string id;                             ///< random hexadecimal digits
-  bool development = false;                   ///< drawn from a seed that is known: never part of a record
-  bool extra = false;                         ///< of the extra nulls
+  std::string id;            ///< random hexadecimal digits
+  bool development = false;  ///< drawn from a seed that is known: never part of a record
+  bool extra = false;        ///< of the extra nulls
   TruthKind kind = TruthKind::kNull;
-  std::map<std::string, double> effects;      ///< of the library, strengths in SI
+  std::map<std::string, double> effects;        ///< of the library, strengths in SI
   std::map<std::string, std::string> variants;  ///< "rolling_variant" -> "iwashita_oda"
-  std::string unknown;                        ///< a kind of unknown_kinds.h
-  std::map<std::string, double> parameters;   ///< of that kind
+  std::string unknown;                          ///< a kind of unknown_kinds.h
+  std::map<std::string, double> parameters;     ///< of that kind
   BlindMaterial material;
   int particles = 0;
   double step_fraction = 0;
-  std::vector<std::uint64_t> seeds;           ///< of the specimens
-  std::string nonce;                          ///< 64 hexadecimal digits, so that nobody can guess the text behind a commitment
+  std::vector<std::uint64_t> seeds;  ///< of the specimens
+  std::string nonce;                 ///< 64 hexadecimal digits, so that nobody can guess the text behind a commitment
 
   bool operator==(const Truth&) const = default;
 };

@@ -12,6 +12,7 @@ FakeLab::FakeLab() {
   builder.AddListeningPort(address_, grpc::InsecureServerCredentials());
   builder.RegisterService(static_cast<v1::Experiments::Service*>(this));
   builder.RegisterService(static_cast<v1::Results::Service*>(this));
+  builder.RegisterService(&blind);
   server_ = builder.BuildAndStart();
 }
 

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "regolab/v1/lab.grpc.pb.h"
+#include "tests/unit/client/fake_blind.h"
 
 namespace regolab::client {
 
@@ -31,6 +32,7 @@ class FakeLab : public v1::Experiments::Service, public v1::Results::Service {
   v1::CompareArticleReply comparison;
   v1::TrainFunctionsReply functions;
   std::vector<v1::ExportItem> items;
+  FakeBlind blind;
   grpc::Status refusal = grpc::Status::OK;  ///< of GetResults, Range, CompareArticle and TrainFunctions
 
   // What it was asked.

@@ -15,16 +15,25 @@ double golden(int k, double step) { return std::fmod(0.5 + step * k, 1.0); }
 /// Density and slope answer to friction; cohesion steepens slopes alone, a wrong grain density shows in the balance alone.
 std::vector<double> measure(double friction, double cohesion, double density, int dither) {
   const auto noise = [&](int k) { return std::sin(1e4 * friction + 77.0 * dither + 13.0 * k); };
-  return {4 - 2 * friction + 0.02 * noise(1), (1700 - 200 * friction) * (1 + density) + 3 * noise(2), 0.4 + 0.3 * friction + 0.15 * std::log1p(cohesion / 600) + 0.02 * noise(3)};
+  return {4 - 2 * friction + 0.02 * noise(1), (1700 - 200 * friction) * (1 + density) + 3 * noise(2),
+          0.4 + 0.3 * friction + 0.15 * std::log1p(cohesion / 600) + 0.02 * noise(3)};
 }
 
 const Emulator& emulator() {
   static const auto made = [] {
-    Bank bank{.inputs = {{"theta_F", "rad"}, {"cohesion", "Pa"}, {"grain_density", "1"}}, .features = {"contacts_per_particle", "bulk_density", "repose_angle"}, .rows = {}};
+    Bank bank{.inputs = {{"theta_F", "rad"}, {"cohesion", "Pa"}, {"grain_density", "1"}},
+              .features = {"contacts_per_particle", "bulk_density", "repose_angle"},
+              .rows = {}};
     const auto add = [&](int point, int seed, double cohesion, double density) {
       const double friction = golden(point, 0.7549);
-      bank.rows.push_back({.experiment = cohesion != 0 ? "c" : density != 0 ? "d" : "n", .point = point, .seed = static_cast<std::uint64_t>(seed), .profile = "quick",
-                           .inputs = {friction, cohesion, density}, .features = measure(friction, cohesion, density, 100 * point + seed)});
+      bank.rows.push_back({.experiment = cohesion != 0  ? "c"
+                                         : density != 0 ? "d"
+                                                        : "n",
+                           .point = point,
+                           .seed = static_cast<std::uint64_t>(seed),
+                           .profile = "quick",
+                           .inputs = {friction, cohesion, density},
+                           .features = measure(friction, cohesion, density, 100 * point + seed)});
     };
     for (int point = 1; point <= 60; ++point) add(point, 1, 0, 0), add(point, 2, 0, 0);
     for (int k = 1; k <= 24; ++k) add(2 * k, 1, 20 * std::pow(1000.0, golden(k, 0.618)), 0), add(2 * k + 1, 1, 0, -0.05 + 0.1 * golden(k, 0.618));
@@ -42,7 +51,8 @@ ObservationSet measured(double friction, double cohesion, double density) {
     double mean = 0;
     for (int seed = 0; seed < 3; ++seed) mean += measure(friction, cohesion, density, 9000 + seed)[j] / 3;
     const double error = std::sqrt(emulator().noise()[static_cast<Eigen::Index>(j)] / 3);
-    set.scalars.push_back({.id = ids[j], .value = mean, .unit = units[j], .unit_as_read = units[j], .standard_error = error, .seeds = 3, .definition = {}});
+    set.scalars.push_back(
+        {.id = ids[j], .value = mean, .unit = units[j], .unit_as_read = units[j], .standard_error = error, .seeds = 3, .definition = {}});
   }
   return set;
 }

@@ -27,7 +27,8 @@ std::map<TruthKind, int> counts_of(const std::vector<Truth>& truths, bool extra)
 TEST(Draw, TheWholeSetIsComposedAsTheDesignSays) {
   const auto truths = draw_truths({}, kSecret);
   ASSERT_EQ(truths.size(), 156U);
-  EXPECT_EQ(counts_of(truths, false), (std::map<TruthKind, int>{{TruthKind::kNull, 14}, {TruthKind::kEffect, 55}, {TruthKind::kPair, 12}, {TruthKind::kUnknown, 15}}));
+  EXPECT_EQ(counts_of(truths, false),
+            (std::map<TruthKind, int>{{TruthKind::kNull, 14}, {TruthKind::kEffect, 55}, {TruthKind::kPair, 12}, {TruthKind::kUnknown, 15}}));
   EXPECT_EQ(counts_of(truths, true), (std::map<TruthKind, int>{{TruthKind::kNull, 60}}));
   std::map<std::string, int> causes;
   std::set<std::string> unknown, ids, nonces;
@@ -145,7 +146,8 @@ TEST(Parts, EveryTruthIsADesignThatCanRun) {
       EXPECT_EQ(point.numerics.stress_stiffness_number, 0);
       EXPECT_EQ(point.numerics.isotropic_servo_steps, 200);
       EXPECT_EQ(design.value->seeds, truth.seeds);
-      for (const auto& [name, strength] : truth.effects) EXPECT_NEAR(point.effects[find_effect(name)->id], strength, 1e-9 * std::abs(strength)) << name;
+      for (const auto& [name, strength] : truth.effects)
+        EXPECT_NEAR(point.effects[find_effect(name)->id], strength, 1e-9 * std::abs(strength)) << name;
       for (const auto& [name, law] : truth.variants) EXPECT_EQ(point.effects[find_effect(name)->id], 1) << law;
       EXPECT_TRUE(truth.kind != TruthKind::kUnknown || !point.effects.any());
       EXPECT_EQ(design.value->repose, parts[k].bed);

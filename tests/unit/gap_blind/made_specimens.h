@@ -12,8 +12,12 @@ inline constexpr double kRatio = 4;  ///< sigma1/sigma3, from a strain of 0.02 o
 
 inline StageResult made_fabric(double density) {
   StageResult out;
-  out.measurements = {{"contacts_per_particle", 3, "1", {}, "contacts"}, {"bulk_density", density, "kg/m3", {}, "mean height"}, {"bulk_density_Hmax", 0.9 * density, "kg/m3", {}, "highest"},
-                      {"core_density", 1.05 * density, "kg/m3", {}, "core"}, {"void_ratio", 2930 / density - 1, "1", {}, "same height"}, {"settle_private", 7, "1", {}, "no quantity"}};
+  out.measurements = {{"contacts_per_particle", 3, "1", {}, "contacts"},
+                      {"bulk_density", density, "kg/m3", {}, "mean height"},
+                      {"bulk_density_Hmax", 0.9 * density, "kg/m3", {}, "highest"},
+                      {"core_density", 1.05 * density, "kg/m3", {}, "core"},
+                      {"void_ratio", 2930 / density - 1, "1", {}, "same height"},
+                      {"settle_private", 7, "1", {}, "no quantity"}};
   return out;
 }
 
@@ -34,7 +38,8 @@ inline StageResult made_stress(double sigma3, double strength = 1) {
   std::vector<StressSample> samples;
   for (int k = 0; k <= 80; ++k) {
     const double strain = 0.00251 * k, sigma1 = sigma3 * (1 + (strength * kRatio - 1) * std::min(1.0, strain / 0.02));
-    samples.push_back({.strain = strain, .top = sigma1, .bottom = sigma1, .lateral_x = sigma3, .lateral_y = sigma3, .volumetric_strain = 0.1 * strain});
+    samples.push_back(
+        {.strain = strain, .top = sigma1, .bottom = sigma1, .lateral_x = sigma3, .lateral_y = sigma3, .volumetric_strain = 0.1 * strain});
   }
   StageResult out;
   add_stress_results(samples, sigma3, 0.2, 0.8, out);

@@ -83,7 +83,8 @@ TEST(Marks, ProbabilitiesAddUpAndKeepAShareOfDoubt) {
 
 TEST(Marks, ProbabilityOfAClassIsThatOfItsModels) {
   Answer given = answer(Verdict::kEffect, {"apparatus"});
-  given.diagnosis.models = {{.model = "seating", .cause = "apparatus", .probability = 0.5, .strength = {}}, {.model = "load_cell_gain", .cause = "apparatus", .probability = 0.3, .strength = {}},
+  given.diagnosis.models = {{.model = "seating", .cause = "apparatus", .probability = 0.5, .strength = {}},
+                            {.model = "load_cell_gain", .cause = "apparatus", .probability = 0.3, .strength = {}},
                             {.model = "none", .cause = "none", .probability = 0.2, .strength = {}}};
   const Mark m = marked(effect_truth("seating", 0.01), given);
   EXPECT_NEAR(m.ours.p.at("apparatus"), 0.8 * (1 - kDoubt) + kDoubt / 80, 1e-12);
@@ -115,9 +116,15 @@ TEST(Marks, WhereIsRightWhenTheMovedGroupStandsFirst) {
 TEST(Answers, TravelAsText) {
   Answer given = answer(Verdict::kOneOf, {"cohesion", "none"});
   given.case_name = "blind-1", given.source = {"bank", "sha", "0.1", 3, "landlock"};
-  given.diagnosis.models = {{.model = "cohesion", .cause = "cohesion", .log_z = -3, .log_z_error = 0.1, .probability = 0.6, .strength = {{"cohesion", "Pa", 600, 400, 900}}}};
+  given.diagnosis.models = {{.model = "cohesion",
+                             .cause = "cohesion",
+                             .log_z = -3,
+                             .log_z_error = 0.1,
+                             .probability = 0.6,
+                             .strength = {{"cohesion", "Pa", 600, 400, 900}}}};
   given.diagnosis.where = {{.group = {gap::Test::kRepose, 0, Part::kWhole}, .feature = "repose_angle", .text = "high", .p = 0.01}};
-  given.baselines = {.refits = {{.model = "none", .rms = 2, .bic_probability = 1}}, .lowest_rms = "none", .bic = "none", .nearest_pattern = "cohesion"};
+  given.baselines = {
+      .refits = {{.model = "none", .rms = 2, .bic_probability = 1}}, .lowest_rms = "none", .bic = "none", .nearest_pattern = "cohesion"};
   const auto back = answer_from(answer_text(given));
   ASSERT_TRUE(back.ok());
   EXPECT_EQ(back->diagnosis.verdict, Verdict::kOneOf);

@@ -10,7 +10,6 @@
 #include "scheduler/gap/blind/unknown_kinds.h"
 #include "scheduler/gap/observation_file.h"
 #include "tests/unit/gap_blind/made_specimens.h"
-#include "vocab/units.h"
 
 namespace regolab::gap {
 namespace {
@@ -19,8 +18,15 @@ using ::testing::HasSubstr;
 
 Truth a_null() {
   Truth t{.id = "9f03ab12cd", .kind = TruthKind::kNull};
-  t.material = {.friction_deg = 31.415, .normal_stiffness = 51234, .normal_damping = 0.51234, .tangential_stiffness = 61234, .tangential_damping = 0.61234, .largest_cm = 1.2,
-                .gravity = 1.63, .elements = "6", .rotation = "xz"};
+  t.material = {.friction_deg = 31.415,
+                .normal_stiffness = 51234,
+                .normal_damping = 0.51234,
+                .tangential_stiffness = 61234,
+                .tangential_damping = 0.61234,
+                .largest_cm = 1.2,
+                .gravity = 1.63,
+                .elements = "6",
+                .rotation = "xz"};
   t.particles = 288, t.step_fraction = 0.12345, t.seeds = {123456789012, 234567890123}, t.nonce = std::string(64, 'e');
   return t;
 }
@@ -86,9 +92,7 @@ TEST(Observation, StrainsAscendWhateverTheApparatusDoesToThem) {
 }
 
 /// Numbers, and the words that differ with them, taken out.
-std::string shape_of(const std::string& yaml) {
-  return std::regex_replace(yaml, std::regex("-?[0-9]+(\\.[0-9]+)?(e[-+]?[0-9]+)?"), "0");
-}
+std::string shape_of(const std::string& yaml) { return std::regex_replace(yaml, std::regex("-?[0-9]+(\\.[0-9]+)?(e[-+]?[0-9]+)?"), "0"); }
 
 TEST(Observation, LooksTheSameWhateverIsWrong) {
   const std::string plain = shape_of(observations_yaml(of(a_null(), {made_specimen(1500), made_specimen(1600, 1.02)})));
@@ -112,8 +116,8 @@ TEST(Observation, TellsNothingOfTheTruth) {
   Truth t = a_null();
   t.kind = TruthKind::kEffect, t.effects = {{"cohesion", 812.35}}, t.variants = {{"cohesion_variant", "jkr"}};
   const std::string yaml = observations_yaml(of(t, {made_specimen(), made_specimen()}));
-  for (const char* word : {"31.415", "51234", "0.51234", "61234", "0.61234", "0.12345", "123456789012", "234567890123", "cohesion", "jkr", "812", "eeee", "seed:", "effect", "theta_F", "N_E", "K_N",
-                           "rotation", "regolab", "/", "quick"}) {
+  for (const char* word : {"31.415", "51234", "0.51234", "61234",   "0.61234", "0.12345", "123456789012", "234567890123", "cohesion", "jkr",  "812",
+                           "eeee",   "seed:", "effect",  "theta_F", "N_E",     "K_N",     "rotation",     "regolab",      "/",        "quick"}) {
     const std::string told = std::string(word) == "/" ? "/tmp" : word;
     EXPECT_EQ(yaml.find(told), std::string::npos) << told;
   }
@@ -135,7 +139,8 @@ TEST(Observation, TwinsOfOneTruthSayWhetherTheyAreForDevelopment) {
 TEST(Misrecording, MovesWhatItMovesByWhatItSays) {
   const ObservationSet plain = of(a_null(), {made_specimen(), made_specimen()});
   const double mean_strain = 0.17625;  // of the samples that "0.15 to 0.20" takes
-  EXPECT_NEAR(scalar(of_kind("drifting_load_cell", {{"drift_at_0.2_Pa", 2000}}), "sigma1_at_sigma3_1.25kPa").value, kRatio * 1250 + 2000 * mean_strain / 0.2, 30);
+  EXPECT_NEAR(scalar(of_kind("drifting_load_cell", {{"drift_at_0.2_Pa", 2000}}), "sigma1_at_sigma3_1.25kPa").value,
+              kRatio * 1250 + 2000 * mean_strain / 0.2, 30);
   EXPECT_NEAR(scalar(of_kind("saturating_load_cell", {{"s_0_Pa", 20000}}), "sigma1_at_sigma3_5kPa").value, 20000 / std::numbers::sqrt2, 10);
   const ObservationSet bottom = of_kind("bottom_cell_gain", {{"gain", 0.4}});
   EXPECT_NEAR(scalar(bottom, "sigma1_at_sigma3_5kPa").value, 1.2 * kRatio * 5000, 5);
@@ -152,16 +157,6 @@ TEST(Misrecording, MovesWhatItMovesByWhatItSays) {
   EXPECT_NEAR(scalar(height, "bulk_density").value, 1600 / 1.1, 1);
   EXPECT_NEAR(scalar(height, "void_ratio").value, 1.1 * 2930 / 1600 - 1, 1e-3);
   EXPECT_EQ(scalar(height, "core_density").value, scalar(plain, "core_density").value);
-}
-
-TEST(Misrecording, ATiltedBaseTurnsSlopeAndProfileAlike) {
-  const ObservationSet tilted = of_kind("tilted_base", {{"tilt_deg", 10}});
-  const double read = std::atan(0.6) + 10 * kDegree;
-  EXPECT_NEAR(scalar(tilted, "repose_angle").value, read, 1e-3);
-  const MeasuredCurve& profile = curve(tilted, "repose_profile");
-  double mean = 0;
-  for (const double h : profile.y) mean += h / 24;
-  EXPECT_NEAR(std::atan(2 * mean / 0.024), read, 2e-3);
 }
 
 TEST(Misrecording, AMisscaledTestIsSaidToBeTheOneThatWasMeant) {

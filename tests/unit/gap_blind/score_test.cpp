@@ -41,9 +41,14 @@ TEST(Scores, OfOneAnswer) {
 }
 
 TEST(Scores, OfAHandMadeTable) {
-  std::vector<Mark> marks{marked(TruthKind::kEffect, "cohesion", "cohesion", 0.9), marked(TruthKind::kEffect, "cohesion", "breakage", 0.6, 3), marked(TruthKind::kEffect, "breakage", "breakage", 0.8),
-                          marked(TruthKind::kNull, "", "none", 0.7), marked(TruthKind::kNull, "", "cohesion", 0.5), marked(TruthKind::kUnknown, "", "unknown", 0.9),
-                          marked(TruthKind::kUnknown, "", "", 0.2), marked(TruthKind::kNull, "", "none", 0.9)};
+  std::vector<Mark> marks{marked(TruthKind::kEffect, "cohesion", "cohesion", 0.9),
+                          marked(TruthKind::kEffect, "cohesion", "breakage", 0.6, 3),
+                          marked(TruthKind::kEffect, "breakage", "breakage", 0.8),
+                          marked(TruthKind::kNull, "", "none", 0.7),
+                          marked(TruthKind::kNull, "", "cohesion", 0.5),
+                          marked(TruthKind::kUnknown, "", "unknown", 0.9),
+                          marked(TruthKind::kUnknown, "", "", 0.2),
+                          marked(TruthKind::kNull, "", "none", 0.9)};
   marks.back().truth.extra = true;
   const Score score = score_of(marks, 2);
   EXPECT_EQ(score.cases, 7);
@@ -58,7 +63,8 @@ TEST(Scores, OfAHandMadeTable) {
   EXPECT_DOUBLE_EQ(figure(score, "unknown_detected").value, 0.5);
   EXPECT_DOUBLE_EQ(figure(score, "false_none_of_these").value, 0);
   const double other = std::log(79.0);
-  const double sum = -std::log(0.9) + (other - std::log(0.4)) - std::log(0.8) - std::log(0.7) + (other - std::log(0.5)) - std::log(0.9) + (other - std::log(0.8));
+  const double sum =
+      -std::log(0.9) + (other - std::log(0.4)) - std::log(0.8) - std::log(0.7) + (other - std::log(0.5)) - std::log(0.9) + (other - std::log(0.8));
   EXPECT_NEAR(figure(score, "log_score").value, sum / 7, 1e-12);
   EXPECT_EQ(figure(score, "shrinkage").n, 0) << "what was not measured is not there";
   EXPECT_DOUBLE_EQ(score.effects.at("cohesion").value, 0.5);
@@ -67,8 +73,8 @@ TEST(Scores, OfAHandMadeTable) {
 }
 
 TEST(Scores, BaselinesGetTheConfidenceThatSuitsThemBest) {
-  std::vector<Mark> marks{marked(TruthKind::kEffect, "cohesion", "cohesion", 0.9), marked(TruthKind::kEffect, "cohesion", "cohesion", 0.9), marked(TruthKind::kEffect, "breakage", "breakage", 0.9),
-                          marked(TruthKind::kNull, "", "none", 0.9)};
+  std::vector<Mark> marks{marked(TruthKind::kEffect, "cohesion", "cohesion", 0.9), marked(TruthKind::kEffect, "cohesion", "cohesion", 0.9),
+                          marked(TruthKind::kEffect, "breakage", "breakage", 0.9), marked(TruthKind::kNull, "", "none", 0.9)};
   const Score score = score_of(marks, 0);
   ASSERT_EQ(score.methods.size(), 5U);
   const MethodScore& rms = score.methods[1];
