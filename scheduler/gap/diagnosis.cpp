@@ -140,6 +140,15 @@ std::vector<Believed> believed_of(const Search& search, const std::vector<Hypoth
   return out;
 }
 
+/// "seating, breakage": effects that take no part.
+std::string unseen_of(const std::vector<Isolability>& isolability) {
+  std::string out;
+  for (const Isolability& i : isolability) {
+    if (!i.seen) out += (out.empty() ? "" : ", ") + i.effect;
+  }
+  return out;
+}
+
 /// Repeats behind a typical measured feature.
 int specimens_of(const Comparison& comparison) {
   std::vector<double> repeats;
@@ -205,8 +214,8 @@ Result<Diagnosis> diagnose(const Emulator& emulator, const ObservationSet& set, 
   const auto believed = believed_of(search, hypotheses, out);
   out.open = entropy_of_causes(believed);
   out.next = next_tests({emulator, comparison, stated, believed, specimens_of(comparison), size_ratio_of(set), options.smc.seed});
-  for (const Isolability& i : out.isolability) {
-    if (!i.seen) out.warnings.push_back(i.effect + " takes no part: these measurements would not notice the strongest that it may be");
+  if (const std::string unseen = unseen_of(out.isolability); !unseen.empty()) {
+    out.warnings.push_back(unseen + " cannot be named: these measurements would not notice the strongest that each may be");
   }
   for (const Unused& unused : set.unused) out.warnings.push_back(unused.id + " takes no part: " + unused.why);
   decide(out);

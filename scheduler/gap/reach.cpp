@@ -69,7 +69,7 @@ void check_features(const Emulator& emulator, const ObservationSet& set, Reach& 
     const bool known = (", " + has + ",").find(", " + kilopascals(sigma3) + ",") != std::string::npos;
     if (known || has.empty()) continue;
     std::string all = has;
-    std::ranges::replace(all, ',', ' ');
+    std::erase(all, ',');
     reach.left_out.push_back({"stress at " + kilopascals(sigma3) + " kPa", std::to_string(count) + (count == 1 ? " feature" : " features") + " (the bank has " + has +
                               " kPa) run it there, then diagnose with --bank: bash scheduler/gap/bank/run.sh --sigma3 '" + all + " " + kilopascals(sigma3) + "' -o bank.csv (" + cost() + ")"});
   }
