@@ -19,7 +19,7 @@ TEST(Fields, AreCompleteAndConsistent) {
     EXPECT_TRUE(!field.choices.empty() || field.low < field.high) << field.name;
     EXPECT_FALSE(field.usual.empty()) << field.name;
   }
-  EXPECT_EQ(names.size(), 18u + kEffectCount);
+  EXPECT_EQ(names.size(), 19u + kEffectCount);
 }
 
 /// Every field written as its own example or limit is read back, and lands in its own place.
