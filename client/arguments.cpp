@@ -187,6 +187,7 @@ struct Tree {
     auto* diagnose = verb(*gap, "diagnose", "where the simulation is wrong, which effect explains it, or none of these; killed, it goes on where it was");
     question_of(diagnose);
     diagnose->add_option("--report", arguments.output, "also as one HTML file")->type_name("FILE");
+    diagnose->add_option("--budget", arguments.time_budget, "go on with `gap confirm`, as far as this time allows")->type_name("TIME");
     auto* confirm = verb(*gap, "confirm", "how far the gap shrinks: new DEM runs, measured on stress levels that the fit has not seen");
     question_of(confirm);
     confirm->add_option("--draws", arguments.draws, "runs of each model, drawn from its posterior [8]")->check(CLI::Range(4, 12))->type_name("N");

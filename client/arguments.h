@@ -57,7 +57,7 @@ struct Arguments {
   bool assume_errors = false;
   std::string diagnosis;                 ///< of `gap show` and `gap report`: an id, its start, or an observation file
   unsigned draws = 8;                    ///< of `gap confirm`, of each model
-  std::string time_budget = "1h";        ///< of `gap confirm`
+  std::string time_budget;               ///< of `gap confirm` (empty: an hour) and of `gap diagnose` (empty: no new runs)
 
   std::string folder;                ///< of `gap blind`: DIR
   std::string key;                   ///< its key's file; empty = beside DIR

@@ -21,6 +21,7 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr unsigned kFirstRound = 4;           // draws: the fewest that tell, and what the time of the others is known by
+constexpr const char* kUsualBudget = "1h";
 constexpr double kUsualStageCoreS = 5;        // [core-s] of a stage of 300 clusters, before any was timed here
 
 double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
@@ -129,18 +130,14 @@ Outcome show(const Arguments& arguments, const pb::Diagnosis& d, Session& sessio
 
 }  // namespace
 
-Outcome gap_confirm(const Arguments& arguments, Console& console) {
+Outcome confirm_by_runs(const Arguments& arguments, pb::DiagnoseRequest request, Session& session, Console& console, pb::Diagnosis& d) {
   double budget_s = 0;
-  if (auto read = read_budget(arguments.time_budget, budget_s); !read.ok()) return read;
-  pb::DiagnoseRequest request;
-  Session session;
-  if (auto opened = open_question(arguments, console, request, session); !opened.ok()) return opened;
+  if (auto read = read_budget(arguments.time_budget.empty() ? kUsualBudget : arguments.time_budget, budget_s); !read.ok()) return read;
   request.set_hold_out(true);
-  pb::Diagnosis d;
   if (auto found = run_diagnosis(arguments, request, session, console, d); !found.ok()) return found;
   console.err << fmt::format("fitted without {}: {}{}\n", fmt::join(d.held_out().begin(), d.held_out().end(), ", "), d.verdict(), d.repaired().empty() ? "" : ", repaired by " + d.repaired());
   const bool known = d.has_shrinkage() && d.shrinkage().draws() >= arguments.draws;
-  if (known || !nothing_to_run(d).empty()) return show(arguments, d, session, console);
+  if (known || !nothing_to_run(d).empty()) return done();
   Rounds rounds{arguments, session, console, d.id()};
   if (auto ran = run_draws(rounds, budget_s); !ran.ok()) return ran;
   pb::ShrinkageRequest measure;
@@ -148,7 +145,17 @@ Outcome gap_confirm(const Arguments& arguments, Console& console) {
   for (const unsigned draws : rounds.done_draws) measure.add_rounds(draws);
   pb::StoredDiagnosis stored;
   if (auto got = session.lab->measure_shrinkage(measure, stored); !got.ok()) return session.explain(got);
-  return show(arguments, stored.diagnosis(), session, console);
+  d = stored.diagnosis();
+  return done();
+}
+
+Outcome gap_confirm(const Arguments& arguments, Console& console) {
+  pb::DiagnoseRequest request;
+  Session session;
+  if (auto opened = open_question(arguments, console, request, session); !opened.ok()) return opened;
+  pb::Diagnosis d;
+  const Outcome confirmed = confirm_by_runs(arguments, request, session, console, d);
+  return confirmed.ok() ? show(arguments, d, session, console) : confirmed;
 }
 
 }  // namespace regolab::client

@@ -145,8 +145,14 @@ Outcome gap_diagnose(const Arguments& arguments, Console& console) {
   if (auto opened = open_question(arguments, console, request, session); !opened.ok()) return opened;
   pb::Diagnosis diagnosis;
   if (auto found = run_diagnosis(arguments, request, session, console, diagnosis); !found.ok()) return found;
+  std::string reported = diagnosis.id();
+  if (!arguments.time_budget.empty()) {
+    pb::Diagnosis held_out;
+    if (auto confirmed = confirm_by_runs(arguments, request, session, console, held_out); !confirmed.ok()) return confirmed;
+    if (held_out.has_shrinkage()) *diagnosis.mutable_shrinkage() = held_out.shrinkage(), reported = held_out.id();
+  }
   if (!arguments.output.empty()) {
-    if (auto written = write_report(diagnosis.id(), arguments.output, session); !written.ok()) return written;
+    if (auto written = write_report(reported, arguments.output, session); !written.ok()) return written;
   }
   if (arguments.json) {
     Json out = document("gap-diagnose");

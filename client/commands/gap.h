@@ -22,6 +22,10 @@ std::string question_words(const Arguments& arguments);
 /// Steps as they come, with the time left; then the diagnosis.
 Outcome run_diagnosis(const Arguments& arguments, const pb::DiagnoseRequest& request, Session& session, Console& console, pb::Diagnosis& diagnosis);
 
+/// How far the gap shrinks: a diagnosis without what is held out, then new runs of both models within --budget. Nothing is run where the
+/// verdict names nothing to add: the diagnosis then has no shrinkage.
+Outcome confirm_by_runs(const Arguments& arguments, pb::DiagnoseRequest request, Session& session, Console& console, pb::Diagnosis& diagnosis);
+
 /// What `--json` says of a diagnosis.
 void add_diagnosis(const pb::Diagnosis& diagnosis, Json& out);
 

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "client/table_print.h"
 #include "client/views/gap_next.h"
 #include "vocab/units.h"
@@ -51,11 +53,14 @@ std::string which_line(const pb::Diagnosis& d) {
     return text;
   }
   for (int k = 0; k < d.classes_size(); ++k) {
+    const std::string among = "+" + d.classes(k) + "+";  // alone, or as half of a pair
     double p = 0;
-    for (const auto& m : d.models()) p += m.cause() == d.classes(k) ? m.probability() : 0;
+    for (const auto& m : d.models()) p += ("+" + m.cause() + "+").find(among) != std::string::npos ? m.probability() : 0;
     text += fmt::format("{}{} (P = {:.2f})", k == 0 ? ": " : ", ", d.classes(k), p);
   }
-  if (d.classes_size() == 1 && !d.models().empty() && d.models(0).strength_size() > 0 && d.models(0).cause() == d.classes(0)) text += "; " + strength_text(d.models(0).strength(0));
+  if (d.classes_size() != 1) return text;
+  const auto alone = std::ranges::find(d.models(), d.classes(0), &pb::WeighedModel::cause);
+  if (alone != d.models().end() && alone->strength_size() > 0) text += "; " + strength_text(alone->strength(0));
   return text;
 }
 

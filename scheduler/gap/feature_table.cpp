@@ -72,7 +72,7 @@ FeatureInfo info_of_plate(std::string_view depth, const std::string& plate) {
 
 std::string short_number(double value) {
   char text[32];
-  const int n = std::snprintf(text, sizeof text, "%.2g", value);
+  const int n = std::snprintf(text, sizeof text, value < 99.5 ? "%.2g" : "%.0f", value);
   return {text, static_cast<std::size_t>(n)};
 }
 

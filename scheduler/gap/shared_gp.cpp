@@ -19,8 +19,6 @@ constexpr double kRoot5 = 2.23606797749978969;
 constexpr double kJitter = 1e-8;
 // Priors, in logarithms: mean and standard deviation. An input that does nothing gets a long length instead of a fit.
 constexpr double kLengthMean = 0.7, kLengthSpread = 1.3, kTrendMean = -2, kTrendSpread = 2, kNoiseMean = -3, kNoiseSpread = 3;
-constexpr Index kBlock = 64;   // points that are predicted together: what they need stays in the cache
-constexpr double kUntold = 1;  // effective runs, of all: directions that noise hides take no part in variances
 constexpr double kLeastNoise = -9, kMostNoise = 4;
 
 VectorXd inverse_lengths(const Kernel& kernel) {
@@ -119,37 +117,47 @@ SharedGp::SharedGp(Sample sample, Kernel kernel) : sample_(std::move(sample)), k
   const VectorXd root = sample_.weight.cwiseSqrt();
   vectors_ = root.asDiagonal() * spectrum.vectors;
   values_ = spectrum.values;
-  const double quiet = std::exp(*std::ranges::min_element(kernel_.log_noise));
-  first_told_ = 0;
-  double left = 0;
-  while (first_told_ + 1 < values_.size() && (left += values_[first_told_] / (values_[first_told_] + quiet)) < kUntold) ++first_told_;
   const MatrixXd z = vectors_.transpose() * y;
   const Index n = y.rows(), p = y.cols();
   amplitude_.resize(p), noise_.resize(p), alpha_.resize(n, p);
+  MatrixXd told(n, p);
   for (Index j = 0; j < p; ++j) {
     const double noise = std::exp(kernel_.log_noise[static_cast<std::size_t>(j)]);
     const Eigen::ArrayXd width = values_.array() + noise;
     amplitude_[j] = (z.col(j).array().square() / width).sum() / static_cast<double>(n);
     noise_[j] = amplitude_[j] * noise * scale_[j] * scale_[j];
     alpha_.col(j) = vectors_ * (z.col(j).array() / width).matrix();
+    told.col(j) = width.inverse();
   }
+  run_ = sample_.x * inverse_lengths(kernel_).asDiagonal();
+  slope_ = padded((sample_.x.array() - 0.5).matrix().transpose());
+  alpha_rows_ = padded(alpha_), vector_rows_ = padded(vectors_), told_ = padded(told);
 }
 
 Predicted SharedGp::predict(const MatrixXd& x) const {
   Predicted out{MatrixXd(alpha_.cols(), x.rows()), MatrixXd(alpha_.cols(), x.rows())};
-  for (Index first = 0; first < x.rows(); first += kBlock) predict_block(x, first, std::min(kBlock, x.rows() - first), out);
+  for (Index first = 0; first < x.rows(); first += kBlock) predict_block(x, first, out);
   return out;
 }
 
-void SharedGp::predict_block(const MatrixXd& all, Index first, Index n, Predicted& out) const {
-  const MatrixXd x = all.middleRows(first, n), k = covariance(kernel_, sample_.x, x);  // [n_rows][n]
-  out.mean.middleCols(first, n) = ((alpha_.transpose() * k).array().colwise() * scale_.array()).colwise() + centre_.array();
-  const Index told = values_.size() - first_told_;
-  const MatrixXd v2 = (vectors_.rightCols(told).transpose() * k).array().square();
-  const Eigen::RowVectorXd prior = prior_variance(kernel_, x).transpose();
-  for (Index j = 0; j < out.variance.rows(); ++j) {
-    const VectorXd inverse = (values_.tail(told).array() + std::exp(kernel_.log_noise[static_cast<std::size_t>(j)])).inverse();
-    out.variance.row(j).segment(first, n) = ((prior - inverse.transpose() * v2).cwiseMax(0.0)) * (amplitude_[j] * scale_[j] * scale_[j]);
+void SharedGp::predict_block(const MatrixXd& all, Index first, Predicted& out) const {
+  const Index n = std::min(kBlock, all.rows() - first), p = alpha_.cols();
+  const MatrixXd x = all.middleRows(first, n);
+  Rows middle = Rows::Zero(x.cols(), kBlock), point = middle, k, mean, direction, told;
+  middle.leftCols(n) = (x.array() - 0.5).matrix().transpose();
+  point.leftCols(n) = (x * inverse_lengths(kernel_).asDiagonal()).transpose();
+  multiply(slope_, middle, k);
+  k = (1 + std::exp(kernel_.log_trend) * (1 + 4 * k.array())).matrix();
+  add_matern(run_, point, k);
+  k.conservativeResize(run_.rows(), kBlock);  // without the padding
+  multiply(alpha_rows_, k, mean);
+  multiply(vector_rows_, k, direction);
+  direction = direction.topRows(run_.rows()).array().square().matrix().eval();
+  multiply(told_, direction, told);
+  const VectorXd prior = prior_variance(kernel_, x);
+  for (Index j = 0; j < p; ++j) {
+    out.mean.row(j).segment(first, n) = (mean.row(j).head(n).array() * scale_[j] + centre_[j]).matrix();
+    out.variance.row(j).segment(first, n) = ((prior.transpose() - told.row(j).head(n)).cwiseMax(0.0)) * (amplitude_[j] * scale_[j] * scale_[j]);
   }
 }
 

@@ -4,6 +4,8 @@
 #include <Eigen/Dense>
 #include <vector>
 
+#include "scheduler/gap/gp_block.h"
+
 namespace regolab::gap {
 
 /// Runs. A row may stand for several of them (or be known worse than the others): `weight` runs of unit noise.
@@ -45,7 +47,7 @@ class SharedGp {
   const Sample& sample() const { return sample_; }
 
  private:
-  void predict_block(const Eigen::MatrixXd& all, Eigen::Index first, Eigen::Index n, Predicted& out) const;
+  void predict_block(const Eigen::MatrixXd& all, Eigen::Index first, Predicted& out) const;
 
   Sample sample_;
   Kernel kernel_;
@@ -54,8 +56,10 @@ class SharedGp {
   Eigen::VectorXd noise_;
   Eigen::MatrixXd vectors_;         // [n][n] of W^1/2 K W^1/2, times W^1/2
   Eigen::VectorXd values_;          // [n] ascending
-  Eigen::Index first_told_ = 0;     // of values_: those before it hardly lower a variance
   Eigen::MatrixXd alpha_;           // [n][n_outputs]
+  Rows run_, slope_;                // [n][n_inputs] over lengths; [n_inputs][n] from the middle
+  Rows alpha_rows_, vector_rows_;   // padded
+  Rows told_;                       // [n][n_outputs] what each direction tells: 1 / (value + noise)
 };
 
 /// The kernel of largest posterior probability, from fixed starts: the same sample gives the same bits.

@@ -11,6 +11,7 @@ namespace {
 // share theirs over all that there can be, tried or not.
 constexpr double kPriorNone = 0.20, kPriorUnknown = 0.15, kPriorPairs = 0.10;
 constexpr double kSure = 0.7, kUnknownSure = 0.5, kTogether = 0.9;
+constexpr double kPairBetter = 2.3;  // [nat] of log Z: a pair that explains no more than its better half has an idle one
 constexpr double kLeastIsolability = 2, kLeastLearned = 0.3;  // [sigma], [nat]
 constexpr std::size_t kMostNamed = 5;
 
@@ -38,6 +39,22 @@ double learned(const std::vector<Weighed>& models) {
     if (p > 0) sum += p * std::log(p / prior_of(cause, singles));
   }
   return sum;
+}
+
+/// An idle half takes probability from what it stands beside: for the verdict, a pair no better than its better half is that half.
+std::vector<Weighed> without_idle_halves(std::vector<Weighed> models) {
+  const std::vector<Weighed> singles = models;
+  for (Weighed& m : models) {
+    if (!is_pair(m.cause)) continue;
+    const auto plus = m.model.find('+');
+    const Weighed* better = nullptr;
+    for (const Weighed& s : singles) {
+      const bool half = s.model == m.model.substr(0, plus) || s.model == m.model.substr(plus + 1);
+      if (half && (better == nullptr || s.log_z > better->log_z)) better = &s;
+    }
+    if (better != nullptr && m.log_z < better->log_z + kPairBetter) m.cause = better->cause;
+  }
+  return models;
 }
 
 /// The fewest classes that hold nine tenths of the probability; of a pair, both halves.
@@ -106,7 +123,7 @@ std::vector<std::pair<std::string, double>> by_class(const std::vector<Weighed>&
 }
 
 void decide(Diagnosis& d) {
-  const auto classes = by_class(d.models);
+  const auto classes = by_class(without_idle_halves(d.models));
   const bool isolable = std::ranges::any_of(d.isolability, [](const Isolability& i) { return i.sigma >= kLeastIsolability; });
   const auto& [best, p] = classes.front();
   d.classes.clear();

@@ -53,6 +53,13 @@ TEST(Decide, SixVerdicts) {
   EXPECT_EQ(diagnosis({model("none", 0), model("cohesion", 0), model("unknown", 0)}).verdict, Verdict::kCannotTell) << "nothing learned";
 }
 
+TEST(Decide, APairNoBetterThanItsBetterHalfSpeaksForThatHalf) {
+  const Diagnosis d = diagnosis({model("none", 0), model("cohesion", 20), model("wall_friction", 0), model("wall_friction+cohesion", 22), model("unknown", 0)});
+  EXPECT_EQ(d.models.front().cause, "cohesion+wall_friction");
+  EXPECT_EQ(d.verdict, Verdict::kEffect);
+  EXPECT_EQ(d.classes, std::vector<std::string>{"cohesion"});
+}
+
 TEST(Decide, ABestModelThatDoesNotFitIsNoneOfThese) {
   EXPECT_EQ(diagnosis({model("none", 0), model("cohesion", 20), model("unknown", 0)}, 0.001).verdict, Verdict::kNoneOfThese);
 }
