@@ -102,9 +102,10 @@ Comparison compare(const Emulator& emulator, const std::vector<Feature>& feature
   return out;
 }
 
-MatrixXd Comparison::covariance(const VectorXd& emulator_variance) const {
-  const VectorXd sd = variance.cwiseSqrt(), wrong = emulator_variance.cwiseSqrt();
-  MatrixXd out = between_codes * between_codes.transpose();
+MatrixXd Comparison::covariance(const VectorXd& emulator_variance, double difference) const {
+  const double size = difference * difference;
+  const VectorXd sd = (variance + (size - 1) * between_alone).cwiseSqrt(), wrong = emulator_variance.cwiseSqrt();
+  MatrixXd out = size * between_codes * between_codes.transpose();
   out += sd.asDiagonal() * correlation * sd.asDiagonal();
   out += wrong.asDiagonal() * error_correlation * wrong.asDiagonal();
   return out;

@@ -19,8 +19,8 @@ struct Comparison {
   Eigen::MatrixXd between_codes;      // [q][r] what codes differ by, a column for features that differ together
 
   Eigen::Index size() const { return y.size(); }
-  /// Of measured less predicted, where the emulator says `emulator_variance` of its means. [q][q]
-  Eigen::MatrixXd covariance(const Eigen::VectorXd& emulator_variance) const;
+  /// Of measured less predicted, where the emulator says `emulator_variance` of its means; `difference` times what codes differ by. [q][q]
+  Eigen::MatrixXd covariance(const Eigen::VectorXd& emulator_variance, double difference = 1) const;
   /// The same without some of its features (or with only some).
   Comparison subset(const std::vector<Eigen::Index>& kept) const;
 };

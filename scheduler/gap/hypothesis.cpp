@@ -54,7 +54,7 @@ Likelihood::Likelihood(const Emulator& emulator, const Comparison& comparison, c
   }
 }
 
-int Likelihood::parameters() const { return static_cast<int>(free_.size() + hypothesis_.causes.size()) + (hypothesis_.unknown ? 1 : 0); }
+int Likelihood::parameters() const { return static_cast<int>(free_.size() + 1 + hypothesis_.causes.size()) + (hypothesis_.unknown ? 1 : 0); }
 
 MatrixXd Likelihood::values(const MatrixXd& u) const {
   const Space& space = emulator_.space();
@@ -79,8 +79,10 @@ MatrixXd Likelihood::values(const MatrixXd& u) const {
 
 VectorXd Likelihood::strength(const MatrixXd& u, std::size_t k) const {
   const StrengthRange& range = hypothesis_.strength[k];
-  return u.row(static_cast<Index>(free_.size() + k)).transpose().unaryExpr([&](double share) { return range.at(share); });
+  return u.row(static_cast<Index>(free_.size() + 1 + k)).transpose().unaryExpr([&](double share) { return range.at(share); });
 }
+
+double Likelihood::difference(const VectorXd& u) const { return kMostDifferent * u[static_cast<Index>(free_.size())]; }
 
 double Likelihood::unknown_size(const VectorXd& u) const {
   const double share = std::min(u[u.size() - 1], 0.999);
@@ -105,7 +107,7 @@ VectorXd Likelihood::operator()(const MatrixXd& u) const {
   const Predicted p = predict(u);
   VectorXd out(u.cols());
   for (Index i = 0; i < u.cols(); ++i) {
-    MatrixXd covariance = comparison_.covariance(p.variance.col(i));
+    MatrixXd covariance = comparison_.covariance(p.variance.col(i), difference(u.col(i)));
     if (hypothesis_.unknown) {
       const double size = unknown_size(u.col(i));
       covariance += size * size * library_;

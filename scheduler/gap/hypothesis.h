@@ -33,7 +33,8 @@ struct Stated {
   double standard_error = 0;  ///< 0: exact
 };
 
-/// A hypothesis against a comparison: parameters in the unit cube, micro-parameters first, then strengths, then the size of the unknown.
+/// A hypothesis against a comparison: parameters in the unit cube, micro-parameters first, then how much this code and the measured one
+/// differ, then strengths, then the size of the unknown.
 class Likelihood {
  public:
   /// Emulator and comparison must outlive it. library: covariance of what known effects shift, [q][q], of the unknown hypothesis alone.
@@ -46,6 +47,8 @@ class Likelihood {
   /// [n_axes][n_points] SI; strength of cause k at each point.
   Eigen::MatrixXd values(const Eigen::MatrixXd& u) const;
   Eigen::VectorXd strength(const Eigen::MatrixXd& u, std::size_t k) const;
+  /// How many times the usual difference between codes there is, at one point: few data of our own code need none.
+  double difference(const Eigen::VectorXd& u) const;
   /// How many times the library's shifts the unknown is, at one point. REQUIRES: the hypothesis is the unknown.
   double unknown_size(const Eigen::VectorXd& u) const;
   /// The emulator's answer for the features compared. [q][n_points]
@@ -59,6 +62,9 @@ class Likelihood {
   std::vector<std::size_t> free_;  ///< axes that u holds
   Eigen::MatrixXd library_;
 };
+
+/// The largest difference between codes, in usual ones.
+inline constexpr double kMostDifferent = 1.5;
 
 /// Covariance of the shifts that the library's effects make over their priors, in the features compared. [q][q]
 Eigen::MatrixXd library_covariance(const Emulator& emulator, const Comparison& comparison, const std::map<std::string, Stated>& stated, std::uint64_t seed);

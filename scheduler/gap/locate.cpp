@@ -49,7 +49,9 @@ std::vector<GroupGap> locate(const Emulator& emulator, const Comparison& compari
     const Predicted p = look.predict(posterior.u);
     const VectorXd mean = p.mean.rowwise().mean();
     const MatrixXd centred = p.mean.colwise() - mean;
-    const MatrixXd covariance = own.covariance(p.variance.rowwise().mean()) + centred * centred.transpose() / static_cast<double>(p.mean.cols());
+    double size = 0;
+    for (Index i = 0; i < posterior.u.cols(); ++i) size += std::pow(look.difference(posterior.u.col(i)), 2) / static_cast<double>(posterior.u.cols());
+    const MatrixXd covariance = own.covariance(p.variance.rowwise().mean(), std::sqrt(size)) + centred * centred.transpose() / static_cast<double>(p.mean.cols());
     const VectorXd off = own.y - mean;
     const double distance2 = off.dot(Eigen::LLT<MatrixXd>(covariance).solve(off)), n = static_cast<double>(members.size());
     Index worst = 0;

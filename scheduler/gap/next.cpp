@@ -102,9 +102,10 @@ class Foretold {
     const MatrixXd own = scatter(q_.comparison, q_.comparison.variance - q_.comparison.between_alone);
     for (Index k = 0; k < n; ++k) {
       const VectorXd wrong = p.variance.col(k).cwiseSqrt();
-      MatrixXd shared = every_.between_codes * every_.between_codes.transpose();
+      const double size = std::pow(likelihood.difference(u.col(k)), 2);
+      MatrixXd shared = size * every_.between_codes * every_.between_codes.transpose();
       shared += wrong.asDiagonal() * every_.error_correlation * wrong.asDiagonal();
-      shared.diagonal() += every_.between_alone;
+      shared.diagonal() += size * every_.between_alone;
       if (b.hypothesis.unknown) shared += std::pow(likelihood.unknown_size(u.col(k)), 2) * library_;
       Eigen::LLT<MatrixXd> factor(shared(y, y) + own);
       const VectorXd off = q_.comparison.y - p.mean.col(k)(y), pull = factor.solve(off);

@@ -21,7 +21,7 @@ Tangent::Tangent(const Likelihood& likelihood, const Comparison& comparison, con
   }
   const Predicted p = likelihood.predict(u);
   mean_ = p.mean.col(2 * d);
-  lower_ = Eigen::LLT<MatrixXd>(comparison.covariance(p.variance.col(2 * d))).matrixL();
+  lower_ = Eigen::LLT<MatrixXd>(comparison.covariance(p.variance.col(2 * d), likelihood.difference(at))).matrixL();
   MatrixXd slopes(comparison.size(), d);
   for (Index k = 0; k < d; ++k) slopes.col(k) = (p.mean.col(2 * k + 1) - p.mean.col(2 * k)) / (u(k, 2 * k + 1) - u(k, 2 * k));
   basis_ = whitened(slopes);

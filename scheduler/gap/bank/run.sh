@@ -2,8 +2,9 @@
 # The bank of DEM runs that emulators of the gap diagnosis learn from: materials without any effect and,
 # for each effect, 32 of them with it. Written to ../data/bank.csv with what it cost.
 #   bash scheduler/gap/bank/run.sh [--sigma3 '1.25 2.5 5 10'] [-o bank.csv]
-# Two hours on 2 cores, and another for breakage, which the shipped bank lacks; resumes where it stopped (build/campaign.db). Other confining stresses [kPa] than the shipped bank's make a
-# bank for `gap diagnose --bank`: what is stored is not run again, so one more stress costs about a quarter of an hour.
+# Three and a half hours on 2 cores, of which breakage takes one and a half; resumes where it stopped (build/campaign.db). Other confining
+# stresses [kPa] than the shipped bank's make a bank for `gap diagnose --bank`: what is stored is not run again, so one more stress costs about
+# a quarter of an hour.
 set -euo pipefail
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 out=$here/../data/bank.csv sigma3=

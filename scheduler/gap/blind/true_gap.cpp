@@ -34,6 +34,7 @@ VectorXd place_of(const BlindMaterial& m, const Space& space, const std::map<std
     const auto which = static_cast<double>(std::ranges::find(axis.choices, value) - axis.choices.begin());
     out.push_back(std::clamp(axis.is_choice() ? (which + 0.5) / n : (value - axis.low) / (axis.high - axis.low), 0.0, 1 - 1e-9));
   }
+  out.push_back(0.5);  // of what codes differ by
   return Eigen::Map<const VectorXd>(out.data(), static_cast<Index>(out.size()));
 }
 
@@ -78,7 +79,7 @@ std::optional<TrueGap> true_gap(const Emulator& emulator, const ObservationSet& 
   for (std::size_t k = 0; k < all.causes.size(); ++k) {
     out.isolability = std::min(out.isolability, left({.name = "", .causes = {all.causes[k]}, .strength = {all.strength[k]}}).norm());
   }
-  const MatrixXd covariance = comparison.covariance(base.predict(at).variance.col(0));
+  const MatrixXd covariance = comparison.covariance(base.predict(at).variance.col(0), base.difference(at));
   const MatrixXd lower = Eigen::LLT<MatrixXd>(covariance).matrixL();
   out.moved = most_moved(comparison, lower * left(all), covariance);
   return out;

@@ -44,12 +44,15 @@ TEST(Comparison, AddsItsThreeSourcesOfError) {
   c.variance << 4, 9;
   c.correlation = MatrixXd::Identity(2, 2), c.correlation(0, 1) = c.correlation(1, 0) = 0.5;
   c.error_correlation = MatrixXd::Identity(2, 2);
-  c.between_codes = MatrixXd::Ones(2, 1);
+  c.between_codes = MatrixXd::Ones(2, 1), c.between_alone = VectorXd::Zero(2);
   VectorXd emulator(2);
   emulator << 1, 0;
   MatrixXd expected(2, 2);
   expected << 4 + 1 + 1, 3 + 1, 3 + 1, 9 + 1;
   EXPECT_TRUE(c.covariance(emulator).isApprox(expected, 1e-12));
+  c.between_alone << 4, 5;  // of the variance
+  expected << 1, 0.5 * 0, 0.5 * 0, 4;
+  EXPECT_TRUE(c.covariance(emulator, 0).isApprox(expected, 1e-12)) << "of a code that differs by nothing, the specimens' own is left";
 }
 
 TEST(BetweenCodes, ASlopeOverSigma3TurnsRoundInTheMiddle) {
