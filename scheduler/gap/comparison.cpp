@@ -82,7 +82,7 @@ Comparison compare(const Emulator& emulator, const ObservationSet& set) {
 
 Comparison compare(const Emulator& emulator, const std::vector<Feature>& features, double size_ratio) {
   Comparison out;
-  std::vector<double> y, variance, own;
+  std::vector<double> y, variance, own, share;
   for (const Feature& f : features) {
     const int at = emulator.feature(f.id);
     if (at < 0) continue;
@@ -90,10 +90,12 @@ Comparison compare(const Emulator& emulator, const std::vector<Feature>& feature
     out.measured.push_back(f);
     y.push_back(f.value);
     own.push_back(std::sqrt(emulator.noise()[at]));
+    share.push_back(size_ratio / std::max(1, f.repeats));
     variance.push_back(variance_of(f, emulator.noise()[at], size_ratio));
   }
   out.y = Eigen::Map<const VectorXd>(y.data(), static_cast<Index>(y.size()));
   const VectorXd sd = Eigen::Map<const VectorXd>(own.data(), out.size());
+  out.share = Eigen::Map<const VectorXd>(share.data(), out.size());
   out.between_alone = kAlone * kAlone * sd.cwiseAbs2();
   out.variance = Eigen::Map<const VectorXd>(variance.data(), static_cast<Index>(variance.size())) + out.between_alone;
   out.correlation = emulator.correlation()(out.feature, out.feature);
@@ -114,7 +116,7 @@ MatrixXd Comparison::covariance(const VectorXd& emulator_variance, double differ
 Comparison Comparison::subset(const std::vector<Index>& kept) const {
   Comparison out;
   for (const Index k : kept) out.feature.push_back(feature[static_cast<std::size_t>(k)]), out.measured.push_back(measured[static_cast<std::size_t>(k)]);
-  out.y = y(kept), out.variance = variance(kept), out.between_alone = between_alone(kept);
+  out.y = y(kept), out.variance = variance(kept), out.share = share(kept), out.between_alone = between_alone(kept);
   out.correlation = correlation(kept, kept);
   out.error_correlation = error_correlation(kept, kept);
   out.between_codes = between_codes(kept, Eigen::all);

@@ -15,6 +15,7 @@ struct Comparison {
   Eigen::VectorXd variance;           // [q] of the measured mean: its own error and seeds
   Eigen::MatrixXd correlation;        // [q][q] of those
   Eigen::MatrixXd error_correlation;  // [q][q] of the emulator's errors
+  Eigen::VectorXd share;              // [q] of one run's variance in the measured mean: few large specimens scatter as many small ones
   Eigen::VectorXd between_alone;      // [q] of the variance, what codes differ by in this feature alone: repeats do not lessen it
   Eigen::MatrixXd between_codes;      // [q][r] what codes differ by, a column for features that differ together
 

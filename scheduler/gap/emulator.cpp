@@ -22,7 +22,8 @@ constexpr double kErrorShrinkage = 0.1;
 
 /// Features that one kernel serves: they answer to the same parameters.
 int family_of(const FeatureInfo& f) {
-  if (f.group.test != Test::kStress) return f.id == "repose_column_stood" ? 6 : static_cast<int>(f.group.test);
+  constexpr int kStoodOrSlid = 6;  // of every bed, also where there is no slope
+  if (f.group.test != Test::kStress) return f.id == "repose_column_stood" || f.id == "repose_wedge" ? kStoodOrSlid : static_cast<int>(f.group.test);
   switch (f.group.part) {
     case Part::kSeating:
     case Part::kVolume: return 3 + 4;
@@ -163,11 +164,12 @@ Result<Emulator> Emulator::from(const Bank& bank, const std::vector<Kernel>& ker
       shift.row(i) /= g;
       weight[i] = g * g;
     }
-    Effect effect;
+    Effect effect{.families = {}, .scatter = VectorXd::Zero(out.noise_.size())};
     for (const auto& members : families) {
       Sample sample = part_of(x, shift, weight, rows_with(members, shift), members);
       if (static_cast<std::size_t>(sample.y.rows()) < kFewestOfEffect) continue;
       effect.families.push_back({members, process(std::move(sample), out.space_.groups(1))});
+      effect.scatter(members) = (effect.families.back().gp->noise() - out.noise_(members)).cwiseMax(0.0);
     }
     known.push_back(out.causes_[c]);
     out.effects_.push_back(std::move(effect));

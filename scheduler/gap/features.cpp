@@ -39,6 +39,7 @@ class Reader {
   Maybe plain(const std::string& id) const {
     if (id == "surface_roughness") return roughness();
     if (id == "repose_wedge") return wedge();
+    if (id == "repose_angle_whole" && stood()) return std::nullopt;  // a line along the top of a bed that stood is no slope
     if (id == "strength_cohesion") return scalar("cohesion");
     if (id == "strength_friction_angle") return scalar("friction_angle_internal");
     return scalar(id);
@@ -99,6 +100,11 @@ class Reader {
     const Maybe mean = logarithm(scalar("bulk_density")), top = logarithm(scalar("bulk_density_Hmax"));
     if (!mean || !top) return std::nullopt;
     return Value{mean->value - top->value, std::hypot(mean->standard_error, top->standard_error), std::min(mean->repeats, top->repeats), mean->assumed || top->assumed};
+  }
+
+  bool stood() const {
+    const Maybe share = scalar("repose_column_stood");
+    return share && share->value > 0;
   }
 
   /// atan(2 mean(h)/L), from the profile [protocols Sec. 6]; a profile is less noisy than a line through it.

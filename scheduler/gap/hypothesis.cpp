@@ -94,6 +94,10 @@ Predicted Likelihood::predict(const MatrixXd& u) const {
   for (std::size_t k = 0; k < hypothesis_.causes.size(); ++k) uses.push_back({hypothesis_.causes[k], strength(u, k)});
   const Predicted all = emulator_.predict(values(u), uses);
   Predicted out{all.mean(comparison_.feature, Eigen::all), all.variance(comparison_.feature, Eigen::all)};
+  for (const Use& use : uses) {
+    const VectorXd full = emulator_.scatter(use.cause)(comparison_.feature).cwiseProduct(comparison_.share);
+    for (Index i = 0; i < u.cols(); ++i) out.variance.col(i) += std::pow(emulator_.causes()[use.cause].growth(use.strength[i]), 2) * full;
+  }
   if (hypothesis_.offset_read) {
     for (Index k = 0; k < out.mean.rows(); ++k) {
       const Group& group = comparison_.measured[static_cast<std::size_t>(k)].group;

@@ -51,7 +51,8 @@ class Likelihood {
   double difference(const Eigen::VectorXd& u) const;
   /// How many times the library's shifts the unknown is, at one point. REQUIRES: the hypothesis is the unknown.
   double unknown_size(const Eigen::VectorXd& u) const;
-  /// The emulator's answer for the features compared. [q][n_points]
+  /// The emulator's answer for the features compared; its variance holds what specimens with the effects scatter more than those without.
+  /// [q][n_points]
   Predicted predict(const Eigen::MatrixXd& u) const;
 
  private:

@@ -13,6 +13,7 @@ namespace {
 
 using Tail = Quantity::Tail;
 constexpr double kStrong = 1e9;  // [Pa] no soil carries more
+constexpr double kOtherWay = -45 * kDegree;  // a line through the top of a bed that stood may fall to either side
 
 // Stand-in errors are those a careful laboratory reaches: balances and rulers 1 %, load cells and repeats 5 %, moduli 15 %, slopes 2 deg,
 // a cohesion 20 % and 0.2 kPa.
@@ -23,9 +24,9 @@ constexpr Quantity kScalars[] = {
     {.stem = "bulk_density_Hmax", .si = "kg/m3", .what = "density", .high = 20000, .assumed_relative = 0.02},
     {.stem = "core_density", .si = "kg/m3", .what = "density", .high = 20000, .assumed_relative = 0.02},
     {.stem = "void_ratio", .si = "1", .what = "void ratio", .high = 100, .assumed_relative = 0.02},
-    {.stem = "repose_angle", .si = "rad", .what = "angle", .high = 90 * kDegree, .low_too = true, .assumed_absolute = 2 * kDegree},
-    {.stem = "repose_angle_whole", .si = "rad", .what = "angle", .high = 90 * kDegree, .low_too = true, .assumed_absolute = 2 * kDegree},
-    {.stem = "repose_angle_wedge", .si = "rad", .what = "angle", .high = 90 * kDegree, .low_too = true, .assumed_absolute = 2 * kDegree},
+    {.stem = "repose_angle", .si = "rad", .what = "angle", .low = kOtherWay, .high = 90 * kDegree, .low_too = true, .assumed_absolute = 2 * kDegree},
+    {.stem = "repose_angle_whole", .si = "rad", .what = "angle", .low = kOtherWay, .high = 90 * kDegree, .low_too = true, .assumed_absolute = 2 * kDegree},
+    {.stem = "repose_angle_wedge", .si = "rad", .what = "angle", .low = kOtherWay, .high = 90 * kDegree, .low_too = true, .assumed_absolute = 2 * kDegree},
     {.stem = "repose_column_stood", .si = "1", .what = "share of repeats", .high = 1, .low_too = true, .assumed_absolute = 0.3},
     {.stem = "sigma1", .tail = Tail::kAtSigma3, .si = "Pa", .what = "stress", .high = kStrong, .assumed_relative = 0.05},
     {.stem = "sigma1_0.10_0.20", .tail = Tail::kAtSigma3, .si = "Pa", .what = "stress", .high = kStrong, .assumed_relative = 0.05,
