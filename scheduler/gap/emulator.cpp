@@ -169,7 +169,8 @@ Result<Emulator> Emulator::from(const Bank& bank, const std::vector<Kernel>& ker
       Sample sample = part_of(x, shift, weight, rows_with(members, shift), members);
       if (static_cast<std::size_t>(sample.y.rows()) < kFewestOfEffect) continue;
       effect.families.push_back({members, process(std::move(sample), out.space_.groups(1))});
-      effect.scatter(members) = (effect.families.back().gp->noise() - out.noise_(members)).cwiseMax(0.0);
+      const SharedGp& gp = *effect.families.back().gp;
+      effect.scatter(members) = (gp.noise() - out.noise_(members)).cwiseMax(0.0) / gp.sample().weight.mean();
     }
     known.push_back(out.causes_[c]);
     out.effects_.push_back(std::move(effect));

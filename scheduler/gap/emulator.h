@@ -39,7 +39,8 @@ class Emulator {
   /// values: [n_axes][n_points], SI. [p][n_points], variance of the mean.
   Predicted predict(const Eigen::MatrixXd& values, std::span<const Use> uses = {}) const;
   const Eigen::VectorXd& noise() const { return noise_; }                ///< [p] variance of one run, of repeats
-  /// [p] variance that one run with an effect at full growth has beyond that: sticky or rubbed grains scatter more than plain ones.
+  /// [p] variance that one run with an effect at full growth has beyond that, and in proportion to growth^2 below: sticky or rubbed
+  /// grains scatter more than plain ones.
   const Eigen::VectorXd& scatter(std::size_t cause) const { return effects_[cause].scatter; }
   const Eigen::MatrixXd& correlation() const { return correlation_; }   ///< [p][p] of what seeds do
   const Eigen::MatrixXd& error_correlation() const { return error_correlation_; }  ///< [p][p] of what the emulator gets wrong itself

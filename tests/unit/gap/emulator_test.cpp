@@ -44,6 +44,52 @@ TEST(Emulator, EffectsMoveWhatTheyMove) {
   EXPECT_NEAR(shift[0], 0, 0.04);
 }
 
+/// Two runs of each cohesive material whose slopes lie 0.2 to either side, in proportion to the effect.
+TEST(Emulator, KnowsWhatEffectsScatterMore) {
+  MadeUpWorld world;
+  const double middle = std::sqrt(20.0 * 20000);
+  for (std::size_t k = 0, n = world.bank.rows.size(); k < n; ++k) {
+    BankRow& row = world.bank.rows[k];
+    if (row.inputs[2] == 0) continue;
+    const double off = 0.2 * std::log1p(row.inputs[2] / middle) / std::log1p(20000 / middle);
+    BankRow twin = row;
+    twin.seed = 2, twin.features[2] -= off;
+    row.features[2] += off;
+    world.bank.rows.push_back(twin);
+  }
+  const auto rough = Emulator::from(world.bank);
+  EXPECT_LT(emulator().scatter(0)[2], 2 * emulator().noise()[2]);
+  EXPECT_NEAR(rough->scatter(0)[2], 0.2 * 0.2, 0.02);
+  EXPECT_LT(rough->scatter(0)[0], 2 * rough->noise()[0]);
+}
+
+TEST(Likelihood, HoldsTheScatterOfItsEffects) {
+  Comparison c = compare(emulator(), measured(0.6, 4, 0, 0));
+  const Likelihood with(emulator(), c, {"cohesion", {0}, false, {}}, {});
+  Eigen::MatrixXd u = Eigen::MatrixXd::Constant(with.parameters(), 1, 0.5);
+  const Eigen::VectorXd three = with.predict(u).variance;
+  c.share *= 3;
+  const double strength = with.strength(u, 0)[0], growth = emulator().causes()[0].growth(strength);
+  EXPECT_TRUE((with.predict(u).variance - three).isApprox(2.0 / 3 * growth * growth * emulator().scatter(0)(c.feature), 1e-9)) << "of one specimen instead of three";
+}
+
+/// Data of our own code fit best where codes do not differ, and a code that is off by two runs' scatter where they do.
+TEST(Likelihood, LearnsHowMuchCodesDiffer) {
+  const auto best_difference = [](double off) {
+    ObservationSet set = measured(0.6, 4, 0, 0);
+    set.scalars[1].value += off * std::sqrt(emulator().noise()[1]);
+    const Comparison c = compare(emulator(), set);
+    const Likelihood base(emulator(), c, {"none", {}, false, {}}, {{"theta_F", {0.6, 0}}, {"N_E", {4, 0}}});
+    EXPECT_EQ(base.parameters(), 1);
+    Eigen::MatrixXd u = Eigen::RowVectorXd::LinSpaced(50, 0, 0.98);
+    Eigen::Index best = 0;
+    base(u).maxCoeff(&best);
+    return base.difference(u.col(best));
+  };
+  EXPECT_LT(best_difference(0), 0.2);
+  EXPECT_GT(best_difference(3), 0.5);
+}
+
 TEST(Emulator, KeptKernelsGiveTheSameBits) {
   const MadeUpWorld world;
   const auto again = Emulator::from(world.bank, emulator().kernels());

@@ -146,6 +146,15 @@ TEST(Features, AShareOfNoneIsNotKnownExactly) {
   EXPECT_NEAR(stood.standard_error, std::sqrt(0.2 * 0.8 / 3), 1e-12);
 }
 
+TEST(Features, ALineAlongABedThatStoodIsNoSlope) {
+  Readings readings;
+  readings.scalars["repose_angle_whole"] = {.value = -0.05, .standard_error = 0.02};
+  readings.scalars["repose_column_stood"] = {.value = 0, .standard_error = 0.1};
+  EXPECT_EQ(find(features_of(readings), "repose_angle_whole").value, -0.05);
+  readings.scalars["repose_column_stood"].value = 1.0 / 3;
+  for (const Feature& f : features_of(readings)) EXPECT_NE(f.id, "repose_angle_whole");
+}
+
 TEST(Features, PlatesThatDifferShowItInTheirRatio) {
   Readings readings;
   CurveReading top{.x = {}, .y = {}, .y_standard_error = {}}, bottom = top;
