@@ -23,12 +23,16 @@ double log_student(double distance2, double log_det, Index q) {
          0.5 * (kFreedom + n) * std::log1p(distance2 / kFreedom);
 }
 
-/// Variance of the measured mean of one feature.
-double variance_of(const Feature& f, double own_noise, double size_ratio) {
+/// Variance of the measured mean of one feature, and how much of it our own runs say.
+struct Variance {
+  double all, ours;
+};
+Variance variance_of(const Feature& f, double own_noise, double size_ratio) {
   const double n = std::max(1, f.repeats), expected = own_noise * size_ratio / n, given = f.standard_error * f.standard_error;
   const double own_freedom = f.assumed ? 0 : n - 1;
-  const double pooled = n > 1 || f.assumed ? (kPriorFreedom * expected + own_freedom * given) / (kPriorFreedom + own_freedom) : std::max(given, expected);
-  return f.assumed ? std::max(pooled, given) : pooled;
+  if (n <= 1 && !f.assumed) return {std::max(given, expected), given > expected ? 0 : expected};
+  const double pooled = (kPriorFreedom * expected + own_freedom * given) / (kPriorFreedom + own_freedom), ours = kPriorFreedom * expected / (kPriorFreedom + own_freedom);
+  return f.assumed && given > pooled ? Variance{given, 0} : Variance{pooled, ours};
 }
 
 /// Confining stresses of the emulator's sigma1, ascending [Pa].
@@ -82,7 +86,7 @@ Comparison compare(const Emulator& emulator, const ObservationSet& set) {
 
 Comparison compare(const Emulator& emulator, const std::vector<Feature>& features, double size_ratio) {
   Comparison out;
-  std::vector<double> y, variance, own, share;
+  std::vector<double> y, variance, ours, own, share;
   for (const Feature& f : features) {
     const int at = emulator.feature(f.id);
     if (at < 0) continue;
@@ -91,10 +95,12 @@ Comparison compare(const Emulator& emulator, const std::vector<Feature>& feature
     y.push_back(f.value);
     own.push_back(std::sqrt(emulator.noise()[at]));
     share.push_back(size_ratio / std::max(1, f.repeats));
-    variance.push_back(variance_of(f, emulator.noise()[at], size_ratio));
+    const Variance v = variance_of(f, emulator.noise()[at], size_ratio);
+    variance.push_back(v.all), ours.push_back(v.ours);
   }
   out.y = Eigen::Map<const VectorXd>(y.data(), static_cast<Index>(y.size()));
   const VectorXd sd = Eigen::Map<const VectorXd>(own.data(), out.size());
+  out.ours = Eigen::Map<const VectorXd>(ours.data(), out.size());
   out.share = Eigen::Map<const VectorXd>(share.data(), out.size());
   out.between_alone = kAlone * kAlone * sd.cwiseAbs2();
   out.variance = Eigen::Map<const VectorXd>(variance.data(), static_cast<Index>(variance.size())) + out.between_alone;
@@ -104,9 +110,11 @@ Comparison compare(const Emulator& emulator, const std::vector<Feature>& feature
   return out;
 }
 
-MatrixXd Comparison::covariance(const VectorXd& emulator_variance, double difference) const {
+MatrixXd Comparison::covariance(const VectorXd& emulator_variance, double difference, const VectorXd& scale) const {
   const double size = difference * difference;
-  const VectorXd sd = (variance + (size - 1) * between_alone).cwiseSqrt(), wrong = emulator_variance.cwiseSqrt();
+  VectorXd own = variance + (size - 1) * between_alone;
+  if (scale.size() > 0) own += (scale.array() - 1).matrix().cwiseProduct(ours);
+  const VectorXd sd = own.cwiseSqrt(), wrong = emulator_variance.cwiseSqrt();
   MatrixXd out = size * between_codes * between_codes.transpose();
   out += sd.asDiagonal() * correlation * sd.asDiagonal();
   out += wrong.asDiagonal() * error_correlation * wrong.asDiagonal();
@@ -116,7 +124,7 @@ MatrixXd Comparison::covariance(const VectorXd& emulator_variance, double differ
 Comparison Comparison::subset(const std::vector<Index>& kept) const {
   Comparison out;
   for (const Index k : kept) out.feature.push_back(feature[static_cast<std::size_t>(k)]), out.measured.push_back(measured[static_cast<std::size_t>(k)]);
-  out.y = y(kept), out.variance = variance(kept), out.share = share(kept), out.between_alone = between_alone(kept);
+  out.y = y(kept), out.variance = variance(kept), out.share = share(kept), out.ours = ours(kept), out.between_alone = between_alone(kept);
   out.correlation = correlation(kept, kept);
   out.error_correlation = error_correlation(kept, kept);
   out.between_codes = between_codes(kept, Eigen::all);

@@ -15,13 +15,15 @@ struct Comparison {
   Eigen::VectorXd variance;           // [q] of the measured mean: its own error and seeds
   Eigen::MatrixXd correlation;        // [q][q] of those
   Eigen::MatrixXd error_correlation;  // [q][q] of the emulator's errors
+  Eigen::VectorXd ours;               // [q] of that, what was pooled from our own runs' scatter: materials scatter more or less
   Eigen::VectorXd share;              // [q] of one run's variance in the measured mean: few large specimens scatter as many small ones
   Eigen::VectorXd between_alone;      // [q] of the variance, what codes differ by in this feature alone: repeats do not lessen it
   Eigen::MatrixXd between_codes;      // [q][r] what codes differ by, a column for features that differ together
 
   Eigen::Index size() const { return y.size(); }
-  /// Of measured less predicted, where the emulator says `emulator_variance` of its means; `difference` times what codes differ by. [q][q]
-  Eigen::MatrixXd covariance(const Eigen::VectorXd& emulator_variance, double difference = 1) const;
+  /// Of measured less predicted, where the emulator says `emulator_variance` of its means; `difference` times what codes differ by, where
+  /// our own runs scatter `scale` times as much as the mean material's (empty: as much). [q][q]
+  Eigen::MatrixXd covariance(const Eigen::VectorXd& emulator_variance, double difference = 1, const Eigen::VectorXd& scale = {}) const;
   /// The same without some of its features (or with only some).
   Comparison subset(const std::vector<Eigen::Index>& kept) const;
 };
@@ -37,6 +39,6 @@ double size_ratio_of(const ObservationSet& set);
 
 /// Log density of a multivariate Student t.
 double student_t_log_density(const Eigen::VectorXd& off, const Eigen::MatrixXd& covariance);
-inline constexpr double kFreedom = 8;  ///< of the t: one wild feature must not decide
+inline constexpr double kFreedom = 15;  ///< of the t: one wild feature must not decide
 
 }  // namespace regolab::gap

@@ -18,7 +18,11 @@ using Eigen::VectorXd;
 constexpr int kReplicates = 1000;
 constexpr int kParticlesOfWhere = 150;  // one fit for each group
 constexpr std::uint64_t kUnseenStream = 3000;
-constexpr std::size_t kPaired = 4;  // best single effects that are tried in pairs
+constexpr double kNear = 7;  // [nat] of the best log Z: what may have a part in the verdict is sampled twice
+constexpr std::uint64_t kAgainStream = 5000;
+constexpr std::uint64_t kScreenStream = 4000;
+constexpr std::size_t kPartnered = 2, kPairs = 6;  // best single effects that get a second one; pairs that are weighed
+constexpr Index kScreen = 400;                     // draws that look for a second effect
 
 double quantile(std::vector<double> v, double share) {
   std::ranges::sort(v);
@@ -70,25 +74,6 @@ std::vector<Hypothesis> hypotheses_of(const Emulator& emulator, const std::vecto
   return out;
 }
 
-/// Pairs of the best single effects of different classes.
-std::vector<Hypothesis> pairs_of(const std::vector<Hypothesis>& hypotheses, const std::vector<Weighed>& singles) {
-  std::vector<std::pair<double, const Hypothesis*>> best;
-  for (std::size_t h = 0; h < singles.size(); ++h) {
-    if (hypotheses[h].causes.size() == 1 && !hypotheses[h].offset_read) best.emplace_back(singles[h].log_z, &hypotheses[h]);
-  }
-  std::ranges::sort(best, std::greater{}, &std::pair<double, const Hypothesis*>::first);
-  best.resize(std::min(best.size(), kPaired));
-  std::vector<Hypothesis> out;
-  for (std::size_t a = 0; a < best.size(); ++a) {
-    for (std::size_t b = a + 1; b < best.size(); ++b) {
-      const Hypothesis &one = *best[a].second, &other = *best[b].second;
-      if (cause_class(one.name) == cause_class(other.name)) continue;
-      out.push_back({one.name + "+" + other.name, {one.causes[0], other.causes[0]}, false, {one.strength[0], other.strength[0]}});
-    }
-  }
-  return out;
-}
-
 }  // namespace
 
 namespace {
@@ -101,21 +86,83 @@ struct Search {
   const MatrixXd& library;
   SmcOptions smc;
   const StepMemory* memory;
-  std::vector<Weighed> models = {};
   std::map<std::string, Posterior> posteriors = {};
 
-  void weigh(const Hypothesis& hypothesis, std::uint64_t stream) {
+  /// A name of its own for each sample: "evidence: cohesion", "again: cohesion".
+  void sample(const std::string& step, const Hypothesis& hypothesis, std::uint64_t stream) {
     const Likelihood likelihood(emulator, comparison, hypothesis, stated, library);
     SmcOptions own = smc;
     own.seed += stream;
-    Posterior posterior = remembered_posterior(memory, "evidence: " + hypothesis.name, [&] { return sample_posterior(likelihood, likelihood.parameters(), own); });
-    Weighed weighed{.model = hypothesis.name, .cause = cause_class(hypothesis.name), .log_z = posterior.log_z, .log_z_error = posterior.log_z_error, .strength = {}, .draws = {}};
-    for (std::size_t k = 0; k < hypothesis.causes.size(); ++k) weighed.strength.push_back(strength_of(emulator, hypothesis.causes[k], likelihood.strength(posterior.u, k)));
-    weighed.draws = draws_of(likelihood, posterior.u, hypothesis.causes.size());
-    models.push_back(std::move(weighed));
-    posteriors.emplace(hypothesis.name, std::move(posterior));
+    Posterior posterior = remembered_posterior(memory, step + hypothesis.name, [&] { return sample_posterior(likelihood, likelihood.parameters(), own); });
+    const auto known = posteriors.find(hypothesis.name);
+    if (known == posteriors.end()) posteriors.emplace(hypothesis.name, std::move(posterior));
+    else known->second = together(known->second, posterior);
+  }
+
+  double log_z(const Hypothesis& hypothesis) const { return posteriors.at(hypothesis.name).log_z; }
+
+  /// What was sampled, with its strengths. A model sampled once errs as the typical one that was sampled twice.
+  std::vector<Weighed> weighed(const std::vector<Hypothesis>& hypotheses) const {
+    std::vector<double> errors;
+    for (const Hypothesis& h : hypotheses) {
+      if (const double error = posteriors.at(h.name).log_z_error; error > 0) errors.push_back(error);
+    }
+    const double typical = errors.empty() ? 0 : quantile(errors, 0.5);
+    std::vector<Weighed> out;
+    for (const Hypothesis& h : hypotheses) {
+      const Likelihood likelihood(emulator, comparison, h, stated, library);
+      const Posterior& posterior = posteriors.at(h.name);
+      Weighed one{.model = h.name, .cause = cause_class(h.name), .log_z = posterior.log_z, .log_z_error = posterior.log_z_error > 0 ? posterior.log_z_error : std::sqrt(2.0) * typical, .strength = {}, .draws = {}};
+      for (std::size_t k = 0; k < h.causes.size(); ++k) one.strength.push_back(strength_of(emulator, h.causes[k], likelihood.strength(posterior.u, k)));
+      one.draws = draws_of(likelihood, posterior.u, h.causes.size());
+      out.push_back(std::move(one));
+    }
+    return out;
   }
 };
+
+double log_mean_exp(const VectorXd& v) {
+  const double top = v.maxCoeff();
+  return top + std::log((v.array() - top).exp().mean());
+}
+
+/// Roughly the evidence of a pair, from the posterior of one half: what the other half, anywhere in its range, makes of the likelihood.
+double screened(const Search& search, const Hypothesis& half, const Hypothesis& pair, std::uint64_t stream) {
+  const Posterior& posterior = search.posteriors.at(half.name);
+  MatrixXd u(posterior.u.rows() + 1, kScreen);
+  VectorXd before(kScreen);
+  for (Index k = 0; k < kScreen; ++k) {
+    const Index from = k * posterior.u.cols() / kScreen;
+    u.col(k) << posterior.u.col(from), uniform(search.smc.seed, kScreenStream + stream, static_cast<std::uint64_t>(k));
+    before[k] = posterior.log_likelihood[from];
+  }
+  return posterior.log_z + log_mean_exp(Likelihood(search.emulator, search.comparison, pair, search.stated, search.library)(u) - before);
+}
+
+/// Pairs with one of the best single effects, of two classes: those that promise most.
+std::vector<Hypothesis> pairs_of(const Search& search, const std::vector<Hypothesis>& hypotheses) {
+  std::vector<std::pair<double, const Hypothesis*>> best;
+  for (std::size_t h = 0; h < hypotheses.size(); ++h) {
+    if (hypotheses[h].causes.size() == 1 && !hypotheses[h].offset_read) best.emplace_back(search.log_z(hypotheses[h]), &hypotheses[h]);
+  }
+  std::ranges::sort(best, std::greater{}, &std::pair<double, const Hypothesis*>::first);
+  std::vector<std::pair<double, Hypothesis>> pairs;
+  for (std::size_t a = 0; a < std::min(best.size(), kPartnered); ++a) {
+    for (std::size_t b = 0; b < best.size(); ++b) {
+      const Hypothesis &one = *best[a].second, &other = *best[b].second;
+      if ((b < kPartnered && b <= a) || cause_class(one.name) == cause_class(other.name)) continue;
+      Hypothesis pair{one.name + "+" + other.name, {one.causes[0], other.causes[0]}, false, {one.strength[0], other.strength[0]}};
+      const double promise = screened(search, one, pair, a * best.size() + b);
+      pairs.emplace_back(promise, std::move(pair));
+    }
+  }
+  std::ranges::sort(pairs, std::greater{}, &std::pair<double, Hypothesis>::first);
+  std::vector<Hypothesis> out;
+  for (auto& [promise, pair] : pairs) {
+    if (out.size() < kPairs) out.push_back(std::move(pair));
+  }
+  return out;
+}
 
 /// All hypotheses with their posteriors. An effect that takes no part, because these measurements cannot notice it, is as likely beside the
 /// base model as before, with any strength.
@@ -183,27 +230,33 @@ Result<Diagnosis> diagnose(const Emulator& emulator, const ObservationSet& set, 
   Diagnosis out;
   out.features = static_cast<int>(comparison.size());
   out.adequacy_threshold = options.adequacy_threshold;
-  int done = 0, steps = static_cast<int>(emulator.causes().size()) + 5;
+  int done = 0, steps = static_cast<int>(emulator.causes().size()) + 12;
   const auto step = [&](const std::string& what) { return !on_step || on_step(what, done++, steps); };
   if (!step("what these measurements can tell apart")) return stopped();
   out.isolability = isolability(emulator, comparison, stated, options.smc.seed);
   auto hypotheses = hypotheses_of(emulator, out.isolability);
   const MatrixXd library = library_covariance(emulator, comparison, stated, options.smc.seed);
   Search search{emulator, comparison, stated, library, options.smc, options.memory};
-  const auto weigh_from = [&](std::size_t first) {
+  const auto sample_from = [&](std::size_t first) {
     for (std::size_t h = first; h < hypotheses.size(); ++h) {
       if (!step("evidence: " + hypotheses[h].name)) return false;
-      search.weigh(hypotheses[h], h + 1);
+      search.sample("evidence: ", hypotheses[h], h + 1);
     }
     return true;
   };
-  if (!weigh_from(0)) return stopped();
+  if (!sample_from(0)) return stopped();
   const std::size_t singles = hypotheses.size();
-  const auto pairs = pairs_of(hypotheses, search.models);
+  const auto pairs = pairs_of(search, hypotheses);
   hypotheses.insert(hypotheses.end(), pairs.begin(), pairs.end());
-  steps = done + static_cast<int>(pairs.size()) + 2;
-  if (!weigh_from(singles)) return stopped();
-  out.models = std::move(search.models);
+  steps = done + static_cast<int>(pairs.size()) + 3;
+  if (!sample_from(singles)) return stopped();
+  if (!step("evidence again, of what comes near the best")) return stopped();
+  double best = -INFINITY;
+  for (const Hypothesis& h : hypotheses) best = std::max(best, search.log_z(h));
+  for (std::size_t h = 0; h < hypotheses.size(); ++h) {
+    if (search.log_z(hypotheses[h]) > best - kNear) search.sample("again: ", hypotheses[h], kAgainStream + h);
+  }
+  out.models = search.weighed(hypotheses);
   weigh(out.models, options.temperature);
   const auto named = std::ranges::find_if(out.models, [](const Weighed& m) { return m.model != "unknown"; });
   const auto hypothesis = std::ranges::find(hypotheses, named->model, &Hypothesis::name);

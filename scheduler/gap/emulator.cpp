@@ -77,6 +77,17 @@ Sample part_of(const MatrixXd& x, const MatrixXd& y, const VectorXd& weight, con
   return {x(rows, Eigen::all), y(rows, members), VectorXd(weight(rows))};
 }
 
+/// Variance between repeats of each material over the mean's, of these features together.
+VectorXd scale_of(const Repeats& base, const std::vector<Index>& members) {
+  VectorXd sum = VectorXd::Zero(base.squares.rows()), count = sum;
+  for (const Index j : members) {
+    for (Index i = 0; i < sum.size(); ++i) {
+      if (std::isfinite(base.squares(i, j))) sum[i] += base.squares(i, j) / base.noise[j], ++count[i];
+    }
+  }
+  return sum.array() / count.array();
+}
+
 struct EffectRuns {
   std::vector<VectorXd> values;
   std::vector<double> strength;
@@ -130,10 +141,13 @@ Result<Emulator> Emulator::from(const Bank& bank, const std::vector<Kernel>& ker
     return std::make_shared<const SharedGp>(std::move(sample), kernel);
   };
   const auto families = families_of(out.features_);
+  const MatrixXd base_x = out.space_.scaled(base.values);
   MatrixXd residual = MatrixXd::Constant(base.mean.rows(), base.mean.cols(), NAN), foretold = residual;
   for (const auto& members : families) {
     const auto rows = rows_with(members, base.mean);
-    Family family{members, process(part_of(out.space_.scaled(base.values), base.mean, base.weight, rows, members), out.space_.groups())};
+    const NoiseScale scale(base_x, scale_of(base, members));
+    const VectorXd weight = base.weight.array() / scale.at(base_x).array();
+    Family family{members, process(part_of(base_x, base.mean, weight, rows, members), out.space_.groups()), scale};
     const Predicted left_out = family.gp->leave_one_out();
     residual(rows, members) = base.mean(rows, members) - left_out.mean.transpose();
     foretold(rows, members) = left_out.variance.transpose();
@@ -165,10 +179,12 @@ Result<Emulator> Emulator::from(const Bank& bank, const std::vector<Kernel>& ker
       weight[i] = g * g;
     }
     Effect effect{.families = {}, .scatter = VectorXd::Zero(out.noise_.size())};
-    for (const auto& members : families) {
-      Sample sample = part_of(x, shift, weight, rows_with(members, shift), members);
+    for (std::size_t f = 0; f < families.size(); ++f) {
+      const auto& members = families[f];
+      const VectorXd calm = weight.array() / out.base_[f].scale.at(out.space_.scaled(values)).array();
+      Sample sample = part_of(x, shift, calm, rows_with(members, shift), members);
       if (static_cast<std::size_t>(sample.y.rows()) < kFewestOfEffect) continue;
-      effect.families.push_back({members, process(std::move(sample), out.space_.groups(1))});
+      effect.families.push_back({members, process(std::move(sample), out.space_.groups(1)), {}});
       const SharedGp& gp = *effect.families.back().gp;
       effect.scatter(members) = (gp.noise() - out.noise_(members)).cwiseMax(0.0) / gp.sample().weight.mean();
     }
@@ -211,6 +227,13 @@ Predicted Emulator::predict(const MatrixXd& values, std::span<const Use> uses) c
       out.variance(family.members, Eigen::all) += part.variance * growth.array().square().matrix().asDiagonal();
     }
   }
+  return out;
+}
+
+MatrixXd Emulator::noise_scale(const MatrixXd& values) const {
+  MatrixXd out(static_cast<Index>(features_.size()), values.cols());
+  const MatrixXd x = space_.scaled(values);
+  for (const Family& family : base_) out(family.members, Eigen::all) = family.scale.at(x).transpose().replicate(static_cast<Index>(family.members.size()), 1);
   return out;
 }
 

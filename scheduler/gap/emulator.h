@@ -5,6 +5,7 @@
 #include <optional>
 #include <span>
 
+#include "scheduler/gap/noise_scale.h"
 #include "scheduler/gap/space.h"
 #include "vocab/effects.h"
 #include "vocab/result.h"
@@ -38,7 +39,8 @@ class Emulator {
 
   /// values: [n_axes][n_points], SI. [p][n_points], variance of the mean.
   Predicted predict(const Eigen::MatrixXd& values, std::span<const Use> uses = {}) const;
-  const Eigen::VectorXd& noise() const { return noise_; }                ///< [p] variance of one run, of repeats
+  const Eigen::VectorXd& noise() const { return noise_; }                ///< [p] variance of one run, of repeats, mean over materials
+  Eigen::MatrixXd noise_scale(const Eigen::MatrixXd& values) const;     ///< of that, of these materials; `values` as in `predict`. [p][n_points]
   /// [p] variance that one run with an effect at full growth has beyond that, and in proportion to growth^2 below: sticky or rubbed
   /// grains scatter more than plain ones.
   const Eigen::VectorXd& scatter(std::size_t cause) const { return effects_[cause].scatter; }
@@ -50,6 +52,7 @@ class Emulator {
   struct Family {
     std::vector<Eigen::Index> members;  ///< features
     std::shared_ptr<const SharedGp> gp;
+    NoiseScale scale;  ///< of base families
   };
   struct Effect {
     std::vector<Family> families;

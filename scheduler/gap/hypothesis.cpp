@@ -89,11 +89,12 @@ double Likelihood::unknown_size(const VectorXd& u) const {
   return std::min(kMostUnknown, kUnknownScale * std::tan(0.5 * std::numbers::pi * share));
 }
 
-Predicted Likelihood::predict(const MatrixXd& u) const {
+Foretold Likelihood::predict(const MatrixXd& u) const {
   std::vector<Use> uses;
   for (std::size_t k = 0; k < hypothesis_.causes.size(); ++k) uses.push_back({hypothesis_.causes[k], strength(u, k)});
-  const Predicted all = emulator_.predict(values(u), uses);
-  Predicted out{all.mean(comparison_.feature, Eigen::all), all.variance(comparison_.feature, Eigen::all)};
+  const MatrixXd material = values(u);
+  const Predicted all = emulator_.predict(material, uses);
+  Foretold out{all.mean(comparison_.feature, Eigen::all), all.variance(comparison_.feature, Eigen::all), emulator_.noise_scale(material)(comparison_.feature, Eigen::all)};
   for (const Use& use : uses) {
     const VectorXd full = emulator_.scatter(use.cause)(comparison_.feature).cwiseProduct(comparison_.share);
     for (Index i = 0; i < u.cols(); ++i) out.variance.col(i) += std::pow(emulator_.causes()[use.cause].growth(use.strength[i]), 2) * full;
@@ -107,17 +108,16 @@ Predicted Likelihood::predict(const MatrixXd& u) const {
   return out;
 }
 
+MatrixXd Likelihood::covariance(const Foretold& p, const MatrixXd& u, Index i) const {
+  MatrixXd out = comparison_.covariance(p.variance.col(i), difference(u.col(i)), p.scale.col(i));
+  if (hypothesis_.unknown) out += std::pow(unknown_size(u.col(i)), 2) * library_;
+  return out;
+}
+
 VectorXd Likelihood::operator()(const MatrixXd& u) const {
-  const Predicted p = predict(u);
+  const Foretold p = predict(u);
   VectorXd out(u.cols());
-  for (Index i = 0; i < u.cols(); ++i) {
-    MatrixXd covariance = comparison_.covariance(p.variance.col(i), difference(u.col(i)));
-    if (hypothesis_.unknown) {
-      const double size = unknown_size(u.col(i));
-      covariance += size * size * library_;
-    }
-    out[i] = student_t_log_density(comparison_.y - p.mean.col(i), covariance);
-  }
+  for (Index i = 0; i < u.cols(); ++i) out[i] = student_t_log_density(comparison_.y - p.mean.col(i), covariance(p, u, i));
   return out;
 }
 

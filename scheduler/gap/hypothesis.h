@@ -27,6 +27,11 @@ struct Hypothesis {
   bool offset_read = false;            ///< a lateral stress offset shows in the measured sigma3: a gauge beside the controller's
 };
 
+/// Means and variances of a batch of points, and how much such materials scatter (NoiseScale). [q][n_points]
+struct Foretold {
+  Eigen::MatrixXd mean, variance, scale;
+};
+
 /// A micro-parameter that the experimenter states.
 struct Stated {
   double value = 0;           ///< [SI]
@@ -51,9 +56,11 @@ class Likelihood {
   double difference(const Eigen::VectorXd& u) const;
   /// How many times the library's shifts the unknown is, at one point. REQUIRES: the hypothesis is the unknown.
   double unknown_size(const Eigen::VectorXd& u) const;
+  /// Of measured less foretold at one of the points that `predict` was asked for. [q][q]
+  Eigen::MatrixXd covariance(const Foretold& foretold, const Eigen::MatrixXd& u, Eigen::Index point) const;
   /// The emulator's answer for the features compared; its variance holds what specimens with the effects scatter more than those without.
   /// [q][n_points]
-  Predicted predict(const Eigen::MatrixXd& u) const;
+  Foretold predict(const Eigen::MatrixXd& u) const;
 
  private:
   const Emulator& emulator_;

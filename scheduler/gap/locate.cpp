@@ -46,12 +46,12 @@ std::vector<GroupGap> locate(const Emulator& emulator, const Comparison& compari
     const Likelihood fit(emulator, others, {"none", {}, false, {}}, stated);
     const Posterior posterior = sample_posterior(fit, fit.parameters(), smc);
     const Likelihood look(emulator, own, {"none", {}, false, {}}, stated);
-    const Predicted p = look.predict(posterior.u);
+    const Foretold p = look.predict(posterior.u);
     const VectorXd mean = p.mean.rowwise().mean();
     const MatrixXd centred = p.mean.colwise() - mean;
     double size = 0;
     for (Index i = 0; i < posterior.u.cols(); ++i) size += std::pow(look.difference(posterior.u.col(i)), 2) / static_cast<double>(posterior.u.cols());
-    const MatrixXd covariance = own.covariance(p.variance.rowwise().mean(), std::sqrt(size)) + centred * centred.transpose() / static_cast<double>(p.mean.cols());
+    const MatrixXd covariance = own.covariance(p.variance.rowwise().mean(), std::sqrt(size), p.scale.rowwise().mean()) + centred * centred.transpose() / static_cast<double>(p.mean.cols());
     const VectorXd off = own.y - mean;
     const double distance2 = off.dot(Eigen::LLT<MatrixXd>(covariance).solve(off)), n = static_cast<double>(members.size());
     Index worst = 0;

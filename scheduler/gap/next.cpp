@@ -49,9 +49,9 @@ struct Planned {
   MatrixXd own;
 };
 
-class Foretold {
+class Predictive {
  public:
-  explicit Foretold(const NextQuestion& q) : q_(q), every_(every_feature(q.emulator)) {
+  explicit Predictive(const NextQuestion& q) : q_(q), every_(every_feature(q.emulator)) {
     library_ = library_covariance(q.emulator, every_, q.stated, q.seed);
     for (const Believed& b : q.believed) {
       if (b.probability < kLeastProbability) continue;
@@ -97,7 +97,7 @@ class Foretold {
     MatrixXd u(b.u.rows(), n);
     for (Index k = 0; k < n; ++k) u.col(k) = b.u.col(k * b.u.cols() / n);
     const Likelihood likelihood(q_.emulator, every_, b.hypothesis, q_.stated, library_);
-    const Predicted p = likelihood.predict(u);
+    const Foretold p = likelihood.predict(u);
     const auto& y = q_.comparison.feature;
     const MatrixXd own = scatter(q_.comparison, q_.comparison.variance - q_.comparison.between_alone);
     for (Index k = 0; k < n; ++k) {
@@ -131,7 +131,7 @@ class Foretold {
   std::vector<std::vector<Draw>> draws_;  ///< of each cause
 };
 
-std::vector<std::string> splits_of(const Foretold& foretold, const Information& information) {
+std::vector<std::string> splits_of(const Predictive& foretold, const Information& information) {
   std::vector<std::pair<double, std::string>> found;
   const auto& p = foretold.probability();
   for (std::size_t a = 0; a < p.size(); ++a) {
@@ -147,14 +147,14 @@ std::vector<std::string> splits_of(const Foretold& foretold, const Information& 
   return out;
 }
 
-double probability_of(const Foretold& foretold, std::string_view cause) {
+double probability_of(const Predictive& foretold, std::string_view cause) {
   double sum = 0;
   for (std::size_t k = 0; k < foretold.causes().size(); ++k) sum += foretold.causes()[k] == cause ? foretold.probability()[k] : 0;
   return sum;
 }
 
 /// Tests without an emulator whose causes are both likely.
-void add_others(const Foretold& foretold, std::vector<NextTest>& out) {
+void add_others(const Predictive& foretold, std::vector<NextTest>& out) {
   const auto likely = [&](std::string_view cause) {
     const double p = probability_of(foretold, cause);
     return cause.empty() || (p >= kLikely && p <= 1 - kLikely);
@@ -171,7 +171,7 @@ void add_others(const Foretold& foretold, std::vector<NextTest>& out) {
 }  // namespace
 
 std::vector<NextTest> next_tests(const NextQuestion& question) {
-  const Foretold foretold(question);
+  const Predictive foretold(question);
   std::vector<NextTest> out;
   for (const CandidateTest& test : candidate_tests(question.emulator, question.comparison, question.specimens, question.size_ratio)) {
     const Information told = foretold.of(foretold.plan(test));

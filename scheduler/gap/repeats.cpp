@@ -45,7 +45,7 @@ Repeats repeats_without_effects(const Bank& bank, const Space& space) {
     if (!has_effect(bank, row)) by_material[row.inputs].push_back(features_of_row(row));
   }
   const auto n = static_cast<Index>(by_material.size()), p = static_cast<Index>(bank.features.size());
-  Repeats out{MatrixXd(static_cast<Index>(space.size()), n), MatrixXd(n, p), VectorXd(n), VectorXd::Zero(p), MatrixXd::Zero(p, p)};
+  Repeats out{MatrixXd(static_cast<Index>(space.size()), n), MatrixXd(n, p), VectorXd(n), VectorXd::Zero(p), MatrixXd::Constant(n, p, NAN), MatrixXd::Zero(p, p)};
   std::vector<VectorXd> deviations;
   Index i = 0;
   for (const auto& [inputs, runs] : by_material) {
@@ -55,7 +55,11 @@ Repeats repeats_without_effects(const Bank& bank, const Space& space) {
     out.weight[i++] = static_cast<double>(runs.size());
     if (runs.size() < 2) continue;
     const double unbiased = static_cast<double>(runs.size()) / static_cast<double>(runs.size() - 1);
-    for (const VectorXd& run : runs) deviations.push_back(std::sqrt(unbiased) * (run - mean));
+    out.squares.row(i - 1).setZero();
+    for (const VectorXd& run : runs) {
+      deviations.push_back(std::sqrt(unbiased) * (run - mean));
+      out.squares.row(i - 1) += deviations.back().cwiseAbs2().transpose() / static_cast<double>(runs.size());
+    }
   }
   MatrixXd rows(static_cast<Index>(deviations.size()), p);
   for (Index r = 0; r < rows.rows(); ++r) rows.row(r) = deviations[static_cast<std::size_t>(r)].transpose();

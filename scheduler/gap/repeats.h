@@ -9,6 +9,7 @@ struct Repeats {
   Eigen::MatrixXd mean;         ///< [n][p] NaN where no seed has it
   Eigen::VectorXd weight;       ///< [n] seeds
   Eigen::VectorXd noise;        ///< [p] variance of one run, pooled
+  Eigen::MatrixXd squares;      ///< [n][p] variance between the seeds of each material, NaN with fewer than two
   Eigen::MatrixXd correlation;  ///< [p][p] of the deviations, shrunk towards none
 };
 

@@ -151,4 +151,15 @@ Posterior sample_posterior(const LogLikelihood& f, int parameters, const SmcOpti
   return out;
 }
 
+Posterior together(const Posterior& one, const Posterior& other) {
+  Posterior out;
+  out.log_z = log_mean_exp(Eigen::Vector2d(one.log_z, other.log_z));
+  out.log_z_error = 0.5 * std::abs(one.log_z - other.log_z);
+  out.u.resize(one.u.rows(), one.u.cols() + other.u.cols());
+  out.u << one.u, other.u;
+  out.log_likelihood.resize(one.log_likelihood.size() + other.log_likelihood.size());
+  out.log_likelihood << one.log_likelihood, other.log_likelihood;
+  return out;
+}
+
 }  // namespace regolab::gap

@@ -19,9 +19,9 @@ Tangent::Tangent(const Likelihood& likelihood, const Comparison& comparison, con
     u(k, 2 * k) = std::max(0.0, at[k] - kStep);
     u(k, 2 * k + 1) = std::min(1 - 1e-9, at[k] + kStep);
   }
-  const Predicted p = likelihood.predict(u);
+  const Foretold p = likelihood.predict(u);
   mean_ = p.mean.col(2 * d);
-  lower_ = Eigen::LLT<MatrixXd>(comparison.covariance(p.variance.col(2 * d), likelihood.difference(at))).matrixL();
+  lower_ = Eigen::LLT<MatrixXd>(likelihood.covariance(p, u, 2 * d)).matrixL();
   MatrixXd slopes(comparison.size(), d);
   for (Index k = 0; k < d; ++k) slopes.col(k) = (p.mean.col(2 * k + 1) - p.mean.col(2 * k)) / (u(k, 2 * k + 1) - u(k, 2 * k));
   basis_ = whitened(slopes);

@@ -79,7 +79,7 @@ std::optional<TrueGap> true_gap(const Emulator& emulator, const ObservationSet& 
   for (std::size_t k = 0; k < all.causes.size(); ++k) {
     out.isolability = std::min(out.isolability, left({.name = "", .causes = {all.causes[k]}, .strength = {all.strength[k]}}).norm());
   }
-  const MatrixXd covariance = comparison.covariance(base.predict(at).variance.col(0), base.difference(at));
+  const MatrixXd covariance = base.covariance(base.predict(at), at, 0);
   const MatrixXd lower = Eigen::LLT<MatrixXd>(covariance).matrixL();
   out.moved = most_moved(comparison, lower * left(all), covariance);
   return out;
