@@ -10,7 +10,7 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr double kRidge = 4;             // materials that speak for no slope
+constexpr double kRidge = 1;             // a slope that few materials speak for is small
 constexpr double kLeastForetold = 0.15;  // share of the scatter of logarithms, materials left out one by one
 constexpr double kMostScale = 6;
 

@@ -13,7 +13,7 @@ constexpr double kPriorNone = 0.20, kPriorUnknown = 0.15, kPriorPairs = 0.10;
 constexpr double kSure = 0.7, kUnknownSure = 0.5, kTogether = 0.9;
 constexpr double kPairBetter = 2.3;  // [nat] of log Z: a pair that explains no more than its better half has an idle one
 constexpr double kLeastIsolability = 2, kLeastLearned = 0.3;  // [sigma], [nat]
-constexpr std::size_t kMostNamed = 5;
+constexpr std::size_t kMostNamed = 6;
 
 bool is_pair(const std::string& cause) { return cause.find('+') != std::string::npos; }
 
