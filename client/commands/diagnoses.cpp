@@ -102,7 +102,7 @@ Outcome write_report(const std::string& id, const std::string& file, Session& se
   request.set_id(id);
   pb::StoredDiagnosis found;
   if (auto got = session.lab->diagnosis(request, found); !got.ok()) return session.explain(got);
-  return write_file(file, diagnosis_html({.stored = found, .blind_record = {}}));
+  return write_file(file, diagnosis_html({.stored = found, .blind_record = std::string(blind_record())}));
 }
 
 Outcome gap_report(const Arguments& arguments, Console& console) {

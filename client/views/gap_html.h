@@ -12,6 +12,9 @@ struct GapReport {
   std::string blind_record;    ///< how the method did on data whose effect was withheld; empty: no card
 };
 
+/// The figures of the last blind set, as the program was built with them.
+std::string_view blind_record();
+
 std::string diagnosis_html(const GapReport& report);
 
 /// Text for between tags and inside quoted attributes.
