@@ -55,7 +55,7 @@ TEST(GapReport, HasACardForEachOfItsParts) {
   EXPECT_THAT(html, HasSubstr("by 74 % (shrinkage 61 to 83 %) with cohesion, in 8 new runs of each model on stress 5 kPa, which the fit had not seen; the emulator promised 80 %"));
   EXPECT_THAT(html, HasSubstr("What would settle it"));
   EXPECT_THAT(html, HasSubstr("<td>stress at 0.3 kPa</td><td class=n>0.41 ± 0.02</td><td class=n>2</td><td>cohesion | loading_rate</td>"));
-  EXPECT_THAT(html, HasSubstr("<p>96 cases: 0.89 right</p><p>60 nulls: 1 false alarm</p>"));
+  EXPECT_THAT(html, HasSubstr("<pre>96 cases: 0.89 right\n60 nulls: 1 false alarm</pre>"));
   GapReport bare = sample();
   bare.stored.mutable_diagnosis()->clear_next_tests(), bare.blind_record.clear();
   bare.stored.mutable_diagnosis()->clear_shrinkage();

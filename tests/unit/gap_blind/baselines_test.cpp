@@ -71,7 +71,7 @@ TEST(Baselines, FindAStrongEffect) {
 TEST(Baselines, BicAndThePatternSpareABaseModelThatFits) {
   const Baselines found = baselines_of(emulator(), measured(0.6, 0, 0), 1);
   EXPECT_EQ(found.refits.front().model, "none");
-  EXPECT_EQ(found.refits.front().parameters, 1);
+  EXPECT_EQ(found.refits.front().parameters, 2) << "friction, and how much codes differ";
   EXPECT_EQ(found.bic, "none");
   EXPECT_EQ(found.nearest_pattern, "none");
   EXPECT_GT(found.base_misfit_p, 0.05);
