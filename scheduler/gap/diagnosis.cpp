@@ -129,11 +129,6 @@ struct Search {
   }
 };
 
-double log_mean_exp(const VectorXd& v) {
-  const double top = v.maxCoeff();
-  return top + std::log((v.array() - top).exp().mean());
-}
-
 /// Roughly the evidence of a pair, from the posterior of one half: what the other half, anywhere in its range, makes of the likelihood.
 double screened(const Search& search, const Hypothesis& half, const Hypothesis& pair, std::uint64_t stream) {
   const Posterior& posterior = search.posteriors.at(half.name);

@@ -18,11 +18,6 @@ constexpr double kJump = 0.15;  // share of moves that redraw one parameter from
 /// A particle in the counter of its draws.
 std::uint64_t number_of(Index particle) { return static_cast<std::uint64_t>(particle); }
 
-double log_mean_exp(const VectorXd& v) {
-  const double top = v.maxCoeff();
-  return top + std::log((v.array() - top).exp().mean());
-}
-
 /// The next power: as far as keeps the share of particles that still count.
 double next_power(const VectorXd& log_likelihood, double power, double kept) {
   const auto share = [&](double next) {
@@ -133,6 +128,11 @@ Run run_once(const LogLikelihood& f, int parameters, const SmcOptions& o, int re
 }
 
 }  // namespace
+
+double log_mean_exp(const VectorXd& v) {
+  const double top = v.maxCoeff();
+  return top + std::log((v.array() - top).exp().mean());
+}
 
 Posterior sample_posterior(const LogLikelihood& f, int parameters, const SmcOptions& o) {
   Posterior out;

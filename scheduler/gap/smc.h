@@ -27,6 +27,8 @@ struct Posterior {
 
 Posterior sample_posterior(const LogLikelihood& log_likelihood, int parameters, const SmcOptions& options);
 
+double log_mean_exp(const Eigen::VectorXd& v);
+
 /// Two samples of one posterior as one; the error of log Z is half of what they differ by.
 Posterior together(const Posterior& one, const Posterior& other);
 
