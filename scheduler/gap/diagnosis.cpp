@@ -5,6 +5,7 @@
 #include <map>
 
 #include "scheduler/gap/draws.h"
+#include "scheduler/gap/quantile.h"
 #include "scheduler/gap/tangent.h"
 #include "scheduler/gap/verdict.h"
 
@@ -24,11 +25,6 @@ constexpr std::uint64_t kAgainStream = 5000;
 constexpr std::uint64_t kScreenStream = 4000;
 constexpr std::size_t kPartnered = 2, kPairs = 6;  // best single effects that get a second one; pairs that are weighed
 constexpr Index kScreen = 400;                     // draws that look for a second effect
-
-double quantile(std::vector<double> v, double share) {
-  std::ranges::sort(v);
-  return v[std::min(v.size() - 1, static_cast<std::size_t>(share * static_cast<double>(v.size())))];
-}
 
 /// An end of the 90 % interval, as far from the median as development cases ask for: in ratios or in differences, within the prior.
 double widened(const EffectInfo& effect, double median, double end) {
@@ -81,10 +77,6 @@ std::vector<Hypothesis> hypotheses_of(const Emulator& emulator, const std::vecto
   out.push_back({"unknown", {}, true, {}});
   return out;
 }
-
-}  // namespace
-
-namespace {
 
 /// Finds the evidence of hypotheses, one step each.
 struct Search {

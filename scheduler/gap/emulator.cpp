@@ -179,9 +179,10 @@ Result<Emulator> Emulator::from(const Bank& bank, const std::vector<Kernel>& ker
       weight[i] = g * g;
     }
     Effect effect{.families = {}, .scatter = VectorXd::Zero(out.noise_.size())};
+    const MatrixXd material = out.space_.scaled(values);
     for (std::size_t f = 0; f < families.size(); ++f) {
       const auto& members = families[f];
-      const VectorXd calm = weight.array() / out.base_[f].scale.at(out.space_.scaled(values)).array();
+      const VectorXd calm = weight.array() / out.base_[f].scale.at(material).array();
       Sample sample = part_of(x, shift, calm, rows_with(members, shift), members);
       if (static_cast<std::size_t>(sample.y.rows()) < kFewestOfEffect) continue;
       effect.families.push_back({members, process(std::move(sample), out.space_.groups(1)), {}});

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "scheduler/gap/draws.h"
+#include "scheduler/gap/quantile.h"
 
 namespace regolab::gap {
 namespace {
@@ -62,11 +63,6 @@ VectorXd resampled_mean(const MatrixXd& runs, const VectorXd& otherwise, std::ui
   }
   for (Index f = 0; f < runs.rows(); ++f) sum[f] = count[f] > 0 ? sum[f] / count[f] : otherwise[f];
   return sum;
-}
-
-double quantile(std::vector<double> v, double share) {
-  std::ranges::sort(v);
-  return v[std::min(v.size() - 1, static_cast<std::size_t>(share * static_cast<double>(v.size())))];
 }
 
 double shrunk(double base, double repaired) { return base > 0 ? 1 - std::sqrt(std::max(0.0, repaired) / base) : -INFINITY; }

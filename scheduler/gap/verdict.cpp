@@ -43,12 +43,11 @@ double learned(const std::vector<Weighed>& models) {
 
 /// An idle half takes probability from what it stands beside: for the verdict, a pair no better than its better half is that half.
 std::vector<Weighed> without_idle_halves(std::vector<Weighed> models) {
-  const std::vector<Weighed> singles = models;
   for (Weighed& m : models) {
     if (!is_pair(m.cause)) continue;
     const auto plus = m.model.find('+');
     const Weighed* better = nullptr;
-    for (const Weighed& s : singles) {
+    for (const Weighed& s : models) {
       const bool half = s.model == m.model.substr(0, plus) || s.model == m.model.substr(plus + 1);
       if (half && (better == nullptr || s.log_z > better->log_z)) better = &s;
     }
