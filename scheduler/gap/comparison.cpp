@@ -81,6 +81,7 @@ Comparison compare(const Emulator& emulator, const ObservationSet& set) {
   if (line) features.insert(features.end(), line->ends.begin(), line->ends.end());
   Comparison out = compare(emulator, features, size_ratio_of(set));
   if (line) go_together(*line, out);
+  if (set.source == kSameCode) out.differ_by_nothing();
   return out;
 }
 
@@ -106,7 +107,8 @@ Comparison compare(const Emulator& emulator, const std::vector<Feature>& feature
   out.variance = Eigen::Map<const VectorXd>(variance.data(), static_cast<Index>(variance.size())) + out.between_alone;
   out.correlation = emulator.correlation()(out.feature, out.feature);
   out.error_correlation = emulator.error_correlation()(out.feature, out.feature);
-  out.between_codes = sd.asDiagonal() * between_codes(out.measured);
+  const MatrixXd together = sd.asDiagonal() * between_codes(out.measured);
+  out.between_codes = together * together.transpose();
   return out;
 }
 
@@ -115,10 +117,15 @@ MatrixXd Comparison::covariance(const VectorXd& emulator_variance, double differ
   VectorXd own = variance + (size - 1) * between_alone;
   if (scale.size() > 0) own += (scale.array() - 1).matrix().cwiseProduct(ours);
   const VectorXd sd = own.cwiseSqrt(), wrong = emulator_variance.cwiseSqrt();
-  MatrixXd out = size * between_codes * between_codes.transpose();
+  MatrixXd out = size * between_codes;
   out += sd.asDiagonal() * correlation * sd.asDiagonal();
   out += wrong.asDiagonal() * error_correlation * wrong.asDiagonal();
   return out;
+}
+
+void Comparison::differ_by_nothing() {
+  variance -= between_alone;
+  between_alone.setZero(), between_codes.setZero();
 }
 
 Comparison Comparison::subset(const std::vector<Index>& kept) const {
@@ -127,7 +134,7 @@ Comparison Comparison::subset(const std::vector<Index>& kept) const {
   out.y = y(kept), out.variance = variance(kept), out.share = share(kept), out.ours = ours(kept), out.between_alone = between_alone(kept);
   out.correlation = correlation(kept, kept);
   out.error_correlation = error_correlation(kept, kept);
-  out.between_codes = between_codes(kept, Eigen::all);
+  out.between_codes = between_codes(kept, kept);
   return out;
 }
 

@@ -18,12 +18,14 @@ struct Comparison {
   Eigen::VectorXd ours;               // [q] of that, what was pooled from our own runs' scatter: materials scatter more or less
   Eigen::VectorXd share;              // [q] of one run's variance in the measured mean: few large specimens scatter as many small ones
   Eigen::VectorXd between_alone;      // [q] of the variance, what codes differ by in this feature alone: repeats do not lessen it
-  Eigen::MatrixXd between_codes;      // [q][r] what codes differ by, a column for features that differ together
+  Eigen::MatrixXd between_codes;      // [q][q] what codes differ by in features that differ together, beside the variance
 
   Eigen::Index size() const { return y.size(); }
   /// Of measured less predicted, where the emulator says `emulator_variance` of its means; `difference` times what codes differ by, where
   /// our own runs scatter `scale` times as much as the mean material's (empty: as much). [q][q]
   Eigen::MatrixXd covariance(const Eigen::VectorXd& emulator_variance, double difference = 1, const Eigen::VectorXd& scale = {}) const;
+  /// For measurements by this very code.
+  void differ_by_nothing();
   /// The same without some of its features (or with only some).
   Comparison subset(const std::vector<Eigen::Index>& kept) const;
 };

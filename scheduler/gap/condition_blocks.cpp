@@ -158,6 +158,12 @@ class Block {
   std::vector<bool> read_;  ///< by key
 };
 
+void read_source(const YamlNode& node, ObservationSet& set, Report& report) {
+  const std::string said = node.is_scalar() ? node.text : std::string(name_of(node.kind));
+  if (said == kLaboratory || said == kOtherCode || said == kSameCode) set.source = said;
+  else report.add(node.place, "source: " + excerpt(said) + " (known: laboratory, other_code, same_code) name one, or leave the key out");
+}
+
 void read_material(const YamlNode& node, ObservationSet& set, Report& report) {
   Block block(node, "material", set, report);
   Material& m = set.material;
@@ -211,6 +217,7 @@ void read_protocol(const YamlNode& node, ObservationSet& set, Report& report) {
 }  // namespace
 
 void read_conditions(MapReader& top, ObservationSet& set, Report& report) {
+  if (const YamlNode* node = top.get("source")) read_source(*node, set, report);
   if (const YamlNode* node = top.get("material")) read_material(*node, set, report);
   if (const YamlNode* node = top.get("specimen")) read_specimen(*node, set, report);
   if (const YamlNode* node = top.get("nominal_protocol")) read_protocol(*node, set, report);

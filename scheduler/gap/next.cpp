@@ -103,7 +103,7 @@ class Predictive {
     for (Index k = 0; k < n; ++k) {
       const VectorXd wrong = p.variance.col(k).cwiseSqrt();
       const double size = std::pow(likelihood.difference(u.col(k)), 2);
-      MatrixXd shared = size * every_.between_codes * every_.between_codes.transpose();
+      MatrixXd shared = size * every_.between_codes;
       shared += wrong.asDiagonal() * every_.error_correlation * wrong.asDiagonal();
       shared.diagonal() += size * every_.between_alone;
       if (b.hypothesis.unknown) shared += std::pow(likelihood.unknown_size(u.col(k)), 2) * library_;

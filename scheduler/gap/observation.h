@@ -70,8 +70,12 @@ struct Unused {
   std::string why;  ///< problem (why) remedy
 };
 
+/// Who measured. Laboratories and other codes differ from this one by more than any effect; this code does not.
+inline constexpr std::string_view kLaboratory = "laboratory", kOtherCode = "other_code", kSameCode = "same_code";
+
 struct ObservationSet {
-  std::string name;  ///< of the case
+  std::string name;    ///< of the case
+  std::string source;  ///< one of the above, or nothing: not said
   Material material;
   Specimen specimen;
   Protocol protocol;

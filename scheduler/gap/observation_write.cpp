@@ -116,6 +116,7 @@ std::string observations_yaml(const ObservationSet& set) {
   Writer out;
   out.line("format", "observations/1", 0);
   out.line("case", quoted(set.name), 0);
+  if (!set.source.empty()) out.line("source", set.source, 0);
   conditions(set, out);
   out.map("observables", [&] {
     for (const Scalar& s : set.scalars) write(s, out);

@@ -9,6 +9,7 @@
 #include "scheduler/gap/blind/parts.h"
 #include "scheduler/gap/blind/record.h"
 #include "scheduler/gap/blind/report_case.h"
+#include "scheduler/gap/blind/true_gap.h"
 #include "scheduler/gap/observation_file.h"
 #include "scheduler/rpc/grpc_status.h"
 #include "store/reader.h"
@@ -66,7 +67,10 @@ grpc::Status BlindService::Draw(grpc::ServerContext*, const v1::BlindDrawRequest
                             .nulls = static_cast<int>(request->nulls()),
                             .specimens = static_cast<int>(request->specimens()),
                             .development = request->development()};
-  for (const gap::Truth& truth : gap::draw_truths(plan, request->secret())) {
+  const gap::BankInUse bank = gap::bank_in_use("", "", "");
+  if (!bank.emulator().ok()) return to_grpc(bank.emulator().error());
+  const auto sight = [&](const gap::Truth& truth) { return gap::expected_isolability(*bank.emulator(), truth).value_or(0); };
+  for (const gap::Truth& truth : gap::draw_truths(plan, request->secret(), sight)) {
     auto& out = *reply->add_truths();
     out.set_id(truth.id), out.set_text(gap::truth_text(truth));
   }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <optional>
 
 #include "scheduler/gap/blind/unknown_kinds.h"
 #include "scheduler/gap/diagnosis.h"
@@ -40,12 +41,13 @@ double strength_at(const EffectInfo& effect, double u) {
   return rounded(effect.logarithmic ? low * std::pow(high / low, u) : low + (high - low) * u);
 }
 
-/// Of a pair, both must be there to speak of: the outer half of the prior, on either side where it has two.
-double strong(const EffectInfo& effect, Chance& chance) {
-  const double share = 0.5 + 0.5 * chance.uniform();
-  if (effect.prior_low >= 0) return strength_at(effect, share);
-  return rounded(share * (chance.coin() ? effect.prior_low : effect.prior_high));
-}
+// Strata of the isolability of single effects [design Sec. 3]; of pairs, both halves belong to the last.
+struct Stratum {
+  double low, high;
+  double off(double isolability) const { return std::max({low - isolability, isolability - high, 0.0}); }
+};
+constexpr Stratum kStrata[] = {{1, 2}, {2, 4}, {4, INFINITY}};
+constexpr int kTries = 200;  // effects that no material of the box shows so clearly get the clearest that was met
 
 void add_effect(Truth& truth, const EffectInfo& effect, double strength, Chance& chance) {
   truth.effects[std::string(effect.name)] = strength;
@@ -59,7 +61,7 @@ const EffectInfo& member(const CauseMembers& cause, Chance& chance) { return *fi
 
 class Drawing {
  public:
-  Drawing(const BlindPlan& plan, const std::string& secret) : plan_(plan), secret_(secret), dealing_(secret, "deal") {}
+  Drawing(const BlindPlan& plan, const std::string& secret, const Sight& sight) : plan_(plan), secret_(secret), sight_(sight), dealing_(secret, "deal") {}
 
   std::vector<Truth> all() {
     const Composition c = composition_of(plan_.cases);
@@ -87,19 +89,33 @@ class Drawing {
     return truths_.emplace_back(std::move(t));
   }
 
-  /// Classes in turn; the strengths of a class one in each of as many equal parts of its prior.
+  /// Materials and strengths until the weakest effect is as isolable as the stratum asks for; the nearest met where none is.
+  template <class AddEffects>
+  void draw_within(const Stratum& stratum, Truth& truth, const AddEffects& add_effects) {
+    Chance own = chance(truth, "effect");
+    std::optional<Truth> nearest;
+    double least = INFINITY;
+    for (int k = 0; k < kTries && least > 0; ++k) {
+      Truth tried = truth;
+      tried.material = draw_material(own);
+      add_effects(tried, own);
+      const double off = stratum.off(sight_(tried));
+      if (!nearest || off < least) nearest = std::move(tried), least = off;
+    }
+    truth = std::move(*nearest);
+  }
+
+  /// Classes in turn, and strata in turn.
   void effects(int n) {
     const auto causes = all_causes();
     const auto turn = dealing_.order(causes.size());
-    std::vector<int> share(causes.size());
-    for (int k = 0; k < n; ++k) ++share[turn[static_cast<std::size_t>(k) % turn.size()]];
-    for (std::size_t c = 0; c < causes.size(); ++c) {
-      for (int k = 0; k < share[c]; ++k) {
-        Truth& t = fresh(TruthKind::kEffect);
-        Chance own = chance(t, "effect");
-        const EffectInfo& effect = member(causes[c], own);
-        add_effect(t, effect, strength_at(effect, (k + own.uniform()) / share[c]), own);
-      }
+    for (int k = 0; k < n; ++k) {
+      const CauseMembers& cause = causes[turn[static_cast<std::size_t>(k) % turn.size()]];
+      const auto round = static_cast<std::size_t>(k) / turn.size();
+      draw_within(kStrata[(static_cast<std::size_t>(k) + round) % std::size(kStrata)], fresh(TruthKind::kEffect), [&](Truth& t, Chance& own) {
+        const EffectInfo& effect = member(cause, own);
+        add_effect(t, effect, strength_at(effect, own.uniform()), own);
+      });
     }
   }
 
@@ -117,18 +133,19 @@ class Drawing {
   void pairs(int n) {
     const auto causes = all_causes();
     for (int k = 0; k < n; ++k) {
-      Truth& t = fresh(TruthKind::kPair);
-      Chance own = chance(t, "pair");
-      const auto turn = own.order(causes.size());
-      for (const std::size_t which : {turn[0], turn[1]}) {
-        const EffectInfo& effect = member(causes[which], own);
-        add_effect(t, effect, strong(effect, own), own);
-      }
+      draw_within(kStrata[2], fresh(TruthKind::kPair), [&](Truth& t, Chance& own) {
+        const auto turn = own.order(causes.size());
+        for (const std::size_t which : {turn[0], turn[1]}) {
+          const EffectInfo& effect = member(causes[which], own);
+          add_effect(t, effect, strength_at(effect, own.uniform()), own);
+        }
+      });
     }
   }
 
   const BlindPlan plan_;
   const std::string& secret_;
+  const Sight& sight_;
   Chance dealing_;
   std::vector<Truth> truths_;
 };
@@ -164,6 +181,6 @@ std::vector<CauseMembers> all_causes() {
   return out;
 }
 
-std::vector<Truth> draw_truths(const BlindPlan& plan, const std::string& secret) { return Drawing(plan, secret).all(); }
+std::vector<Truth> draw_truths(const BlindPlan& plan, const std::string& secret, const Sight& sight) { return Drawing(plan, secret, sight).all(); }
 
 }  // namespace regolab::gap

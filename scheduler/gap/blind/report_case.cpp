@@ -162,6 +162,7 @@ void add_curves(const std::vector<SpecimenRecord>& specimens, ObservationSet& ou
 void add_conditions(const Truth& truth, ObservationSet& out) {
   const double largest = truth.material.largest_cm / 100, size = std::cbrt(truth.particles / 400.0);
   out.name = (truth.development ? "development-" : "blind-") + truth.id;
+  out.source = kSameCode;
   out.material.nominal_max_size = largest;
   out.material.nominal_min_size = in_few_digits(largest / 5, "m", kDigits);
   out.material.size_law = "uniform in diameter of the circumscribed sphere";

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <map>
 
+#include "scheduler/gap/blind/report_case.h"
 #include "scheduler/gap/tangent.h"
 #include "vocab/units.h"
 
@@ -54,9 +55,8 @@ std::string most_moved(const Comparison& comparison, const VectorXd& shift, cons
   return out;
 }
 
-}  // namespace
-
-std::optional<TrueGap> true_gap(const Emulator& emulator, const ObservationSet& set, const Truth& truth) {
+/// All effects of a truth, with their strengths; nothing where the emulator lacks one.
+std::optional<Hypothesis> hypothesis_of(const Emulator& emulator, const Truth& truth) {
   Hypothesis all{.name = "", .causes = {}};
   for (const auto& [name, strength] : truth.effects) {
     const auto cause = std::ranges::find(emulator.causes(), find_effect(name), &Cause::effect);
@@ -64,25 +64,68 @@ std::optional<TrueGap> true_gap(const Emulator& emulator, const ObservationSet& 
     all.causes.push_back(static_cast<std::size_t>(cause - emulator.causes().begin()));
     all.strength.push_back(exactly(strength));
   }
-  const Comparison comparison = compare(emulator, set);
-  if (all.causes.empty() || comparison.size() == 0) return std::nullopt;
-  const auto stated = stated_in(set, emulator.space());
-  const Likelihood base(emulator, comparison, {.name = "none", .causes = {}}, stated);
-  const VectorXd at = place_of(truth.material, emulator.space(), stated);
-  const Tangent tangent(base, comparison, at);
-  const auto left = [&](const Hypothesis& with) -> VectorXd {
-    VectorXd u(at.size() + static_cast<Index>(with.causes.size()));
-    u << at, VectorXd::Constant(static_cast<Index>(with.causes.size()), 0.5);
-    return tangent.left(tangent.whitened(Likelihood(emulator, comparison, with, stated).predict(u).mean - tangent.mean()));
-  };
-  TrueGap out{.isolability = INFINITY, .moved = {}};
-  for (std::size_t k = 0; k < all.causes.size(); ++k) {
-    out.isolability = std::min(out.isolability, left({.name = "", .causes = {all.causes[k]}, .strength = {all.strength[k]}}).norm());
+  return all.causes.empty() ? std::nullopt : std::optional(std::move(all));
+}
+
+/// What calibration leaves of shifts, at the true material.
+class Leftover {
+ public:
+  /// Emulator and comparison must outlive it.
+  Leftover(const Emulator& emulator, const Comparison& comparison, const ObservationSet& set, const Truth& truth)
+      : emulator_(emulator), comparison_(comparison), stated_(stated_in(set, emulator.space())),
+        base_(emulator, comparison, {.name = "none", .causes = {}}, stated_), at_(place_of(truth.material, emulator.space(), stated_)),
+        tangent_(base_, comparison, at_) {}
+
+  /// [q] whitened
+  VectorXd of(const Hypothesis& with) const {
+    VectorXd u(at_.size() + static_cast<Index>(with.causes.size()));
+    u << at_, VectorXd::Constant(static_cast<Index>(with.causes.size()), 0.5);
+    return tangent_.left(tangent_.whitened(Likelihood(emulator_, comparison_, with, stated_).predict(u).mean - tangent_.mean()));
   }
-  const MatrixXd covariance = base.covariance(base.predict(at), at, 0);
-  const MatrixXd lower = Eigen::LLT<MatrixXd>(covariance).matrixL();
-  out.moved = most_moved(comparison, lower * left(all), covariance);
-  return out;
+
+  /// Of each effect alone, the least.
+  double weakest(const Hypothesis& all) const {
+    double out = INFINITY;
+    for (std::size_t k = 0; k < all.causes.size(); ++k) out = std::min(out, of({.name = "", .causes = {all.causes[k]}, .strength = {all.strength[k]}}).norm());
+    return out;
+  }
+
+  MatrixXd covariance() const { return base_.covariance(base_.predict(at_), at_, 0); }
+
+ private:
+  const Emulator& emulator_;
+  const Comparison& comparison_;
+  const std::map<std::string, Stated> stated_;
+  const Likelihood base_;
+  const VectorXd at_;
+  const Tangent tangent_;
+};
+
+}  // namespace
+
+std::optional<TrueGap> true_gap(const Emulator& emulator, const ObservationSet& set, const Truth& truth) {
+  const Comparison comparison = compare(emulator, set);
+  const auto all = hypothesis_of(emulator, truth);
+  if (!all || comparison.size() == 0) return std::nullopt;
+  const Leftover leftover(emulator, comparison, set, truth);
+  const MatrixXd covariance = leftover.covariance(), lower = Eigen::LLT<MatrixXd>(covariance).matrixL();
+  return TrueGap{.isolability = leftover.weakest(*all), .moved = most_moved(comparison, lower * leftover.of(*all), covariance)};
+}
+
+std::optional<double> expected_isolability(const Emulator& emulator, const Truth& truth) {
+  const auto all = hypothesis_of(emulator, truth);
+  if (!all) return std::nullopt;
+  const ObservationSet set = observation_of(truth, {});
+  const int specimens = static_cast<int>(truth.seeds.size());
+  std::vector<Feature> features;
+  for (std::size_t j = 0; j < emulator.features().size(); ++j) {
+    const FeatureInfo& info = emulator.features()[j];
+    const double error = std::sqrt(emulator.noise()[static_cast<Index>(j)] * size_ratio_of(set) / specimens);
+    if (info.group.test != Test::kPenetration) features.push_back({.id = info.id, .group = info.group, .standard_error = error, .repeats = specimens});
+  }
+  Comparison comparison = compare(emulator, features, size_ratio_of(set));
+  comparison.differ_by_nothing();
+  return Leftover(emulator, comparison, set, truth).weakest(*all);
 }
 
 }  // namespace regolab::gap

@@ -17,4 +17,7 @@ struct TrueGap {
 /// Nothing for nulls and unknowns, and where the emulator lacks the effect.
 std::optional<TrueGap> true_gap(const Emulator& emulator, const ObservationSet& set, const Truth& truth);
 
+/// The isolability that the tests of a case would have, from its truth alone: before anything is run.
+std::optional<double> expected_isolability(const Emulator& emulator, const Truth& truth);
+
 }  // namespace regolab::gap

@@ -44,7 +44,7 @@ TEST(Comparison, AddsItsThreeSourcesOfError) {
   c.variance << 4, 9;
   c.correlation = MatrixXd::Identity(2, 2), c.correlation(0, 1) = c.correlation(1, 0) = 0.5;
   c.error_correlation = MatrixXd::Identity(2, 2);
-  c.between_codes = MatrixXd::Ones(2, 1), c.between_alone = VectorXd::Zero(2);
+  c.between_codes = MatrixXd::Ones(2, 2), c.between_alone = VectorXd::Zero(2);
   VectorXd emulator(2);
   emulator << 1, 0;
   MatrixXd expected(2, 2);

@@ -16,6 +16,18 @@ namespace {
 
 const std::string kSecret(32, 's');
 
+/// Effects that stand out in proportion to their share of the prior, the more so the rougher the material; the weakest counts.
+double sight(const Truth& t) {
+  double out = t.effects.empty() ? 0 : INFINITY;
+  for (const auto& [name, strength] : t.effects) {
+    const EffectInfo& e = *find_effect(name);
+    const double share = e.logarithmic ? std::log(strength / e.prior_low) / std::log(e.prior_high / e.prior_low) : std::abs(strength) / std::max(-e.prior_low, e.prior_high);
+    out = std::min(out, 8 * share * (0.5 + t.material.friction_deg / 60));
+  }
+  return out;
+}
+std::vector<Truth> draw(const BlindPlan& plan, const std::string& secret) { return draw_truths(plan, secret, sight); }
+
 std::map<TruthKind, int> counts_of(const std::vector<Truth>& truths, bool extra) {
   std::map<TruthKind, int> out;
   for (const Truth& t : truths) {
@@ -25,7 +37,7 @@ std::map<TruthKind, int> counts_of(const std::vector<Truth>& truths, bool extra)
 }
 
 TEST(Draw, TheWholeSetIsComposedAsTheDesignSays) {
-  const auto truths = draw_truths({}, kSecret);
+  const auto truths = draw({}, kSecret);
   ASSERT_EQ(truths.size(), 156U);
   EXPECT_EQ(counts_of(truths, false),
             (std::map<TruthKind, int>{{TruthKind::kNull, 14}, {TruthKind::kEffect, 55}, {TruthKind::kPair, 12}, {TruthKind::kUnknown, 15}}));
@@ -53,13 +65,13 @@ TEST(Draw, PartsOfAnyNumberAddUp) {
 }
 
 TEST(Draw, EqualSecretsGiveEqualSetsAndOthersDiffer) {
-  EXPECT_EQ(draw_truths({.cases = 12, .nulls = 3}, kSecret), draw_truths({.cases = 12, .nulls = 3}, kSecret));
-  const auto a = draw_truths({.cases = 12, .nulls = 3}, kSecret), b = draw_truths({.cases = 12, .nulls = 3}, std::string(32, 't'));
+  EXPECT_EQ(draw({.cases = 12, .nulls = 3}, kSecret), draw({.cases = 12, .nulls = 3}, kSecret));
+  const auto a = draw({.cases = 12, .nulls = 3}, kSecret), b = draw({.cases = 12, .nulls = 3}, std::string(32, 't'));
   for (std::size_t k = 0; k < a.size(); ++k) EXPECT_NE(a[k].id, b[k].id);
 }
 
 TEST(Draw, NothingOfTheBankIsUsedAgain) {
-  for (const Truth& t : draw_truths({}, kSecret)) {
+  for (const Truth& t : draw({}, kSecret)) {
     EXPECT_NE(t.particles, 300);
     EXPECT_GE(t.particles, 260);
     EXPECT_LE(t.particles, 360);
@@ -73,7 +85,7 @@ TEST(Draw, NothingOfTheBankIsUsedAgain) {
 TEST(Draw, StrengthsLieInTheirPriorsAndFillThem) {
   std::map<std::string, std::vector<double>> shares;
   for (int set = 0; set < 8; ++set) {
-    for (const Truth& t : draw_truths({}, std::string(32, static_cast<char>('a' + set)))) {
+    for (const Truth& t : draw({}, std::string(32, static_cast<char>('a' + set)))) {
       for (const auto& [name, strength] : t.effects) {
         const EffectInfo& effect = *find_effect(name);
         EXPECT_GE(strength, effect.prior_low * (effect.prior_low > 0 ? 0.9999 : 1.0001)) << name;
@@ -92,10 +104,35 @@ TEST(Draw, StrengthsLieInTheirPriorsAndFillThem) {
   }
 }
 
+TEST(Draw, SinglesAreWeakMediumAndStrongInTurnAndPairsStrong) {
+  std::map<int, int> strata;
+  std::map<std::string, std::set<int>> of_class;
+  for (const Truth& t : draw({}, kSecret)) {
+    const double isolability = sight(t);
+    if (t.kind == TruthKind::kPair) { EXPECT_GE(isolability, 4); }
+    if (t.kind != TruthKind::kEffect) continue;
+    EXPECT_GE(isolability, 1);
+    const int stratum = isolability < 2 ? 0 : isolability < 4 ? 1 : 2;
+    ++strata[stratum], of_class[answer_of(t)].insert(stratum);
+  }
+  for (const int stratum : {0, 1, 2}) EXPECT_NEAR(strata[stratum], 55 / 3.0, 1) << stratum;
+  for (const auto& [name, met] : of_class) EXPECT_EQ(met.size(), 3U) << name;
+}
+
+TEST(Draw, WhatNoMaterialShowsIsDrawnAsClearAsItGets) {
+  const auto dim = [](const Truth& t) { return 0.1 * sight(t); };  // never above 1.2
+  std::vector<double> pairs;
+  for (const Truth& t : draw_truths({.cases = 24, .nulls = 0}, kSecret, dim)) {
+    if (t.kind == TruthKind::kPair) pairs.push_back(dim(t));
+  }
+  ASSERT_EQ(pairs.size(), 3U);
+  for (const double isolability : pairs) EXPECT_GT(isolability, 0.5) << "the best of many tries";
+}
+
 TEST(Draw, HalfOfTheLawsThatHaveASecondVariantUseIt) {
   int second = 0, all = 0;
   for (int set = 0; set < 12; ++set) {
-    for (const Truth& t : draw_truths({.cases = 96, .nulls = 0}, std::string(32, static_cast<char>('A' + set)))) {
+    for (const Truth& t : draw({.cases = 96, .nulls = 0}, std::string(32, static_cast<char>('A' + set)))) {
       const bool has = t.effects.contains("cohesion") || t.effects.contains("rolling_resistance");
       EXPECT_TRUE(has || t.variants.empty());
       all += has, second += !t.variants.empty();
@@ -105,7 +142,7 @@ TEST(Draw, HalfOfTheLawsThatHaveASecondVariantUseIt) {
 }
 
 TEST(Draw, TruthsTravelAsText) {
-  for (const Truth& t : draw_truths({.development = true}, kSecret)) {
+  for (const Truth& t : draw({.development = true}, kSecret)) {
     const auto back = truth_from(truth_text(t));
     ASSERT_TRUE(back.ok());
     EXPECT_EQ(*back, t);
@@ -119,7 +156,7 @@ std::vector<Truth> one_of_each() {
   std::vector<Truth> out;
   std::set<std::string> seen;
   for (int set = 0; set < 40; ++set) {
-    for (Truth& t : draw_truths({}, std::string(32, static_cast<char>(' ' + set)))) {
+    for (Truth& t : draw({}, std::string(32, static_cast<char>(' ' + set)))) {
       std::string what = std::string(name_of(t.kind)) + t.unknown;
       if (t.kind == TruthKind::kEffect) what += t.effects.begin()->first + (t.variants.empty() ? "" : t.variants.begin()->second);
       if (seen.insert(what).second) out.push_back(std::move(t));
