@@ -126,6 +126,7 @@ std::string observations_yaml(const Job& job, const std::vector<FinishedStage>& 
   out.SetNullFormat(YAML::LowerNull);
   out << YAML::BeginMap;
   text(out, "format", "observations/1");
+  text(out, "source", "same_code");
   text(out, "case", case_name);
   material(out, job.micro);
   specimen(out, job);

@@ -90,6 +90,17 @@ TEST(Likelihood, LearnsHowMuchCodesDiffer) {
   EXPECT_GT(best_difference(3), 0.5);
 }
 
+TEST(Likelihood, DataOfThisVeryCodeAreJudgedWithoutADifference) {
+  ObservationSet set = measured(0.6, 4, 0, 0);
+  const Comparison stranger = compare(emulator(), set);
+  set.source = kSameCode;
+  const Comparison own = compare(emulator(), set);
+  const Eigen::VectorXd sure = Eigen::VectorXd::Zero(own.size());
+  EXPECT_TRUE(own.covariance(sure, 1.5).isApprox(own.covariance(sure, 0), 1e-12));
+  EXPECT_TRUE(own.covariance(sure).isApprox(stranger.covariance(sure, 0), 1e-9));
+  EXPECT_GT(stranger.covariance(sure)(0, 0), 1.01 * own.covariance(sure)(0, 0));
+}
+
 TEST(Emulator, KeptKernelsGiveTheSameBits) {
   const MadeUpWorld world;
   const auto again = Emulator::from(world.bank, emulator().kernels());

@@ -113,6 +113,15 @@ TEST(Observations, OneNumberIsEnoughAndFlaggedAsFew) {
   EXPECT_THAT(set.warnings, Contains(Field(&Diagnostic::text, HasSubstr("only 1 feature"))));
 }
 
+TEST(Observations, WhoMeasuredIsKeptOrRefused) {
+  const auto of = [](const std::string& source) { return replaced(density(), "case:", "source: " + source + "\ncase:"); };
+  EXPECT_EQ(accepted(of("same_code")).source, kSameCode);
+  EXPECT_EQ(accepted(of("laboratory")).source, kLaboratory);
+  EXPECT_EQ(accepted(density()).source, "");
+  EXPECT_THAT(refused(of("us")), ElementsAre(Field(&Diagnostic::text, HasSubstr("known: laboratory, other_code, same_code"))));
+  EXPECT_THAT(refused(of("[us]")), testing::SizeIs(1));
+}
+
 TEST(Observations, IdsAreBroughtToOneSpelling) {
   const auto set = accepted(one_observable("sigma1_at_sigma3_5.0kPa", "15", "kPa", "1"));
   EXPECT_EQ(set.scalars.at(0).id, "sigma1_at_sigma3_5kPa");
