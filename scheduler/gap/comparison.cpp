@@ -112,14 +112,18 @@ Comparison compare(const Emulator& emulator, const std::vector<Feature>& feature
   return out;
 }
 
-MatrixXd Comparison::covariance(const VectorXd& emulator_variance, double difference, const VectorXd& scale) const {
+MatrixXd Comparison::base_error(const VectorXd& emulator_variance) const {
+  const VectorXd wrong = emulator_variance.cwiseSqrt();
+  return wrong.asDiagonal() * error_correlation * wrong.asDiagonal();
+}
+
+MatrixXd Comparison::covariance(const MatrixXd& error, double difference, const VectorXd& scale) const {
   const double size = difference * difference;
   VectorXd own = variance + (size - 1) * between_alone;
   if (scale.size() > 0) own += (scale.array() - 1).matrix().cwiseProduct(ours);
-  const VectorXd sd = own.cwiseSqrt(), wrong = emulator_variance.cwiseSqrt();
-  MatrixXd out = size * between_codes;
+  const VectorXd sd = own.cwiseSqrt();
+  MatrixXd out = error + size * between_codes;
   out += sd.asDiagonal() * correlation * sd.asDiagonal();
-  out += wrong.asDiagonal() * error_correlation * wrong.asDiagonal();
   return out;
 }
 

@@ -14,16 +14,18 @@ struct Comparison {
   Eigen::VectorXd y;                  // [q]
   Eigen::VectorXd variance;           // [q] of the measured mean: its own error and seeds
   Eigen::MatrixXd correlation;        // [q][q] of those
-  Eigen::MatrixXd error_correlation;  // [q][q] of the emulator's errors
+  Eigen::MatrixXd error_correlation;  // [q][q] of the emulator's errors without effects
   Eigen::VectorXd ours;               // [q] of that, what was pooled from our own runs' scatter: materials scatter more or less
   Eigen::VectorXd share;              // [q] of one run's variance in the measured mean: few large specimens scatter as many small ones
   Eigen::VectorXd between_alone;      // [q] of the variance, what codes differ by in this feature alone: repeats do not lessen it
   Eigen::MatrixXd between_codes;      // [q][q] what codes differ by in features that differ together, beside the variance
 
   Eigen::Index size() const { return y.size(); }
-  /// Of measured less predicted, where the emulator says `emulator_variance` of its means; `difference` times what codes differ by, where
-  /// our own runs scatter `scale` times as much as the mean material's (empty: as much). [q][q]
-  Eigen::MatrixXd covariance(const Eigen::VectorXd& emulator_variance, double difference = 1, const Eigen::VectorXd& scale = {}) const;
+  /// Covariance of the emulator's errors, where it says `emulator_variance` of its means without effects. [q][q]
+  Eigen::MatrixXd base_error(const Eigen::VectorXd& emulator_variance) const;
+  /// Of measured less predicted, where the emulator errs by `error`; `difference` times what codes differ by, where our own runs scatter
+  /// `scale` times as much as the mean material's (empty: as much). [q][q]
+  Eigen::MatrixXd covariance(const Eigen::MatrixXd& error, double difference = 1, const Eigen::VectorXd& scale = {}) const;
   /// For measurements by this very code.
   void differ_by_nothing();
   /// The same without some of its features (or with only some).

@@ -39,6 +39,8 @@ class Emulator {
 
   /// values: [n_axes][n_points], SI. [p][n_points], variance of the mean.
   Predicted predict(const Eigen::MatrixXd& values, std::span<const Use> uses = {}) const;
+  /// What one effect adds to that. [p][n_points]
+  Predicted shift(const Eigen::MatrixXd& values, const Use& use) const;
   const Eigen::VectorXd& noise() const { return noise_; }                ///< [p] variance of one run, of repeats, mean over materials
   Eigen::MatrixXd noise_scale(const Eigen::MatrixXd& values) const;     ///< of that, of these materials; `values` as in `predict`. [p][n_points]
   /// [p] variance that one run with an effect at full growth has beyond that, and in proportion to growth^2 below: sticky or rubbed
@@ -46,6 +48,7 @@ class Emulator {
   const Eigen::VectorXd& scatter(std::size_t cause) const { return effects_[cause].scatter; }
   const Eigen::MatrixXd& correlation() const { return correlation_; }   ///< [p][p] of what seeds do
   const Eigen::MatrixXd& error_correlation() const { return error_correlation_; }  ///< [p][p] of what the emulator gets wrong itself
+  const Eigen::MatrixXd& error_correlation(std::size_t cause) const { return effects_[cause].error_correlation; }  ///< of a cause's shifts
   std::vector<Kernel> kernels() const;  ///< in an order of their own, for `from`
 
  private:
@@ -57,6 +60,7 @@ class Emulator {
   struct Effect {
     std::vector<Family> families;
     Eigen::VectorXd scatter;  ///< [p] at full growth
+    Eigen::MatrixXd error_correlation;  ///< [p][p]
   };
 
   Space space_;

@@ -47,6 +47,7 @@ Likelihood::Likelihood(const Emulator& emulator, const Comparison& comparison, c
   for (std::size_t k = hypothesis_.strength.size(); k < hypothesis_.causes.size(); ++k) {
     hypothesis_.strength.push_back(StrengthRange::of(emulator.causes()[hypothesis_.causes[k]]));
   }
+  for (const std::size_t cause : hypothesis_.causes) go_together_.push_back(emulator.error_correlation(cause)(comparison.feature, comparison.feature));
   const auto& axes = emulator.space().axes;
   for (std::size_t k = 0; k < axes.size(); ++k) {
     const auto known = stated_.find(axes[k].name);
@@ -90,14 +91,17 @@ double Likelihood::unknown_size(const VectorXd& u) const {
 }
 
 Foretold Likelihood::predict(const MatrixXd& u) const {
-  std::vector<Use> uses;
-  for (std::size_t k = 0; k < hypothesis_.causes.size(); ++k) uses.push_back({hypothesis_.causes[k], strength(u, k)});
   const MatrixXd material = values(u);
-  const Predicted all = emulator_.predict(material, uses);
-  Foretold out{all.mean(comparison_.feature, Eigen::all), all.variance(comparison_.feature, Eigen::all), emulator_.noise_scale(material)(comparison_.feature, Eigen::all)};
-  for (const Use& use : uses) {
-    const VectorXd full = emulator_.scatter(use.cause)(comparison_.feature).cwiseProduct(comparison_.share);
-    for (Index i = 0; i < u.cols(); ++i) out.variance.col(i) += std::pow(emulator_.causes()[use.cause].growth(use.strength[i]), 2) * full;
+  const auto& of = comparison_.feature;
+  const Predicted base = emulator_.predict(material);
+  Foretold out{base.mean(of, Eigen::all), base.variance(of, Eigen::all), emulator_.noise_scale(material)(of, Eigen::all), {}};
+  for (std::size_t k = 0; k < hypothesis_.causes.size(); ++k) {
+    const Use use{hypothesis_.causes[k], strength(u, k)};
+    const Predicted shift = emulator_.shift(material, use);
+    const VectorXd full = emulator_.scatter(use.cause)(of).cwiseProduct(comparison_.share).cwiseSqrt();
+    const auto growth = use.strength.unaryExpr([&](double s) { return std::abs(emulator_.causes()[use.cause].growth(s)); });
+    out.mean += shift.mean(of, Eigen::all);
+    out.effects.push_back({shift.variance(of, Eigen::all).cwiseSqrt(), full * growth.transpose()});
   }
   if (hypothesis_.offset_read) {
     for (Index k = 0; k < out.mean.rows(); ++k) {
@@ -108,8 +112,18 @@ Foretold Likelihood::predict(const MatrixXd& u) const {
   return out;
 }
 
+MatrixXd Likelihood::error(const Foretold& p, Index i) const {
+  MatrixXd out = comparison_.base_error(p.variance.col(i));
+  for (std::size_t k = 0; k < p.effects.size(); ++k) {
+    const VectorXd wrong = p.effects[k].wrong.col(i), scatter = p.effects[k].scatter.col(i);
+    out += wrong.asDiagonal() * go_together_[k] * wrong.asDiagonal();
+    out += scatter.asDiagonal() * comparison_.correlation * scatter.asDiagonal();
+  }
+  return out;
+}
+
 MatrixXd Likelihood::covariance(const Foretold& p, const MatrixXd& u, Index i) const {
-  MatrixXd out = comparison_.covariance(p.variance.col(i), difference(u.col(i)), p.scale.col(i));
+  MatrixXd out = comparison_.covariance(error(p, i), difference(u.col(i)), p.scale.col(i));
   if (hypothesis_.unknown) out += std::pow(unknown_size(u.col(i)), 2) * library_;
   return out;
 }

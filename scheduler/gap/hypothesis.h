@@ -27,9 +27,16 @@ struct Hypothesis {
   bool offset_read = false;            ///< a lateral stress offset shows in the measured sigma3: a gauge beside the controller's
 };
 
-/// Means and variances of a batch of points, and how much such materials scatter (NoiseScale). [q][n_points]
+/// What a batch of points foretells. [q][n_points]
 struct Foretold {
-  Eigen::MatrixXd mean, variance, scale;
+  /// What an effect adds to the errors: standard deviations of the emulator's shift, and of what specimens with it scatter more by.
+  struct Shift {
+    Eigen::MatrixXd wrong, scatter;
+  };
+  Eigen::MatrixXd mean;
+  Eigen::MatrixXd variance;    ///< of the base model's mean
+  Eigen::MatrixXd scale;       ///< how much such materials scatter (NoiseScale)
+  std::vector<Shift> effects;  ///< of the hypothesis
 };
 
 /// A micro-parameter that the experimenter states.
@@ -56,10 +63,11 @@ class Likelihood {
   double difference(const Eigen::VectorXd& u) const;
   /// How many times the library's shifts the unknown is, at one point. REQUIRES: the hypothesis is the unknown.
   double unknown_size(const Eigen::VectorXd& u) const;
-  /// Of measured less foretold at one of the points that `predict` was asked for. [q][q]
+  /// Covariance of the errors of what is foretold at one of the points that `predict` was asked for, and of what effects scatter. [q][q]
+  Eigen::MatrixXd error(const Foretold& foretold, Eigen::Index point) const;
+  /// Of measured less foretold there. [q][q]
   Eigen::MatrixXd covariance(const Foretold& foretold, const Eigen::MatrixXd& u, Eigen::Index point) const;
-  /// The emulator's answer for the features compared; its variance holds what specimens with the effects scatter more than those without.
-  /// [q][n_points]
+  /// The emulator's answer for the features compared.
   Foretold predict(const Eigen::MatrixXd& u) const;
 
  private:
@@ -69,6 +77,7 @@ class Likelihood {
   std::map<std::string, Stated> stated_;
   std::vector<std::size_t> free_;  ///< axes that u holds
   Eigen::MatrixXd library_;
+  std::vector<Eigen::MatrixXd> go_together_;  // [q][q] correlation of the errors of each cause
 };
 
 /// The largest difference between codes, in usual ones.

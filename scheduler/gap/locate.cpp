@@ -51,7 +51,7 @@ std::vector<GroupGap> locate(const Emulator& emulator, const Comparison& compari
     const MatrixXd centred = p.mean.colwise() - mean;
     double size = 0;
     for (Index i = 0; i < posterior.u.cols(); ++i) size += std::pow(look.difference(posterior.u.col(i)), 2) / static_cast<double>(posterior.u.cols());
-    const MatrixXd covariance = own.covariance(p.variance.rowwise().mean(), std::sqrt(size), p.scale.rowwise().mean()) + centred * centred.transpose() / static_cast<double>(p.mean.cols());
+    const MatrixXd covariance = own.covariance(own.base_error(p.variance.rowwise().mean()), std::sqrt(size), p.scale.rowwise().mean()) + centred * centred.transpose() / static_cast<double>(p.mean.cols());
     const VectorXd off = own.y - mean;
     const double distance2 = off.dot(Eigen::LLT<MatrixXd>(covariance).solve(off)), n = static_cast<double>(members.size());
     Index worst = 0;

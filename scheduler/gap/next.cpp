@@ -101,10 +101,9 @@ class Predictive {
     const auto& y = q_.comparison.feature;
     const MatrixXd own = scatter(q_.comparison, q_.comparison.variance - q_.comparison.between_alone);
     for (Index k = 0; k < n; ++k) {
-      const VectorXd wrong = p.variance.col(k).cwiseSqrt();
       const double size = std::pow(likelihood.difference(u.col(k)), 2);
       MatrixXd shared = size * every_.between_codes;
-      shared += wrong.asDiagonal() * every_.error_correlation * wrong.asDiagonal();
+      shared += likelihood.error(p, k);
       shared.diagonal() += size * every_.between_alone;
       if (b.hypothesis.unknown) shared += std::pow(likelihood.unknown_size(u.col(k)), 2) * library_;
       Eigen::LLT<MatrixXd> factor(shared(y, y) + own);

@@ -49,10 +49,10 @@ TEST(Comparison, AddsItsThreeSourcesOfError) {
   emulator << 1, 0;
   MatrixXd expected(2, 2);
   expected << 4 + 1 + 1, 3 + 1, 3 + 1, 9 + 1;
-  EXPECT_TRUE(c.covariance(emulator).isApprox(expected, 1e-12));
+  EXPECT_TRUE(c.covariance(c.base_error(emulator)).isApprox(expected, 1e-12));
   c.between_alone << 4, 5;  // of the variance
   expected << 1, 0.5 * 0, 0.5 * 0, 4;
-  EXPECT_TRUE(c.covariance(emulator, 0).isApprox(expected, 1e-12)) << "of a code that differs by nothing, the specimens' own is left";
+  EXPECT_TRUE(c.covariance(c.base_error(emulator), 0).isApprox(expected, 1e-12)) << "of a code that differs by nothing, the specimens' own is left";
 }
 
 TEST(BetweenCodes, ASlopeOverSigma3TurnsRoundInTheMiddle) {

@@ -67,10 +67,25 @@ TEST(Likelihood, HoldsTheScatterOfItsEffects) {
   Comparison c = compare(emulator(), measured(0.6, 4, 0, 0));
   const Likelihood with(emulator(), c, {"cohesion", {0}, false, {}}, {});
   Eigen::MatrixXd u = Eigen::MatrixXd::Constant(with.parameters(), 1, 0.5);
-  const Eigen::VectorXd three = with.predict(u).variance;
+  const Eigen::MatrixXd three = with.error(with.predict(u), 0);
   c.share *= 3;
   const double strength = with.strength(u, 0)[0], growth = emulator().causes()[0].growth(strength);
-  EXPECT_TRUE((with.predict(u).variance - three).isApprox(2.0 / 3 * growth * growth * emulator().scatter(0)(c.feature), 1e-9)) << "of one specimen instead of three";
+  const Eigen::VectorXd more = (with.error(with.predict(u), 0) - three).diagonal();
+  EXPECT_TRUE(more.isApprox(2.0 / 3 * growth * growth * emulator().scatter(0)(c.feature), 1e-9)) << "of one specimen instead of three";
+}
+
+TEST(Likelihood, ErrorsOfEachEffectGoTogetherInTheirOwnWay) {
+  const Comparison c = compare(emulator(), measured(0.6, 4, 0, 0));
+  const Likelihood base(emulator(), c, {"none", {}, false, {}}, {}), with(emulator(), c, {"cohesion", {0}, false, {}}, {});
+  const Eigen::MatrixXd own = emulator().error_correlation(0);
+  EXPECT_NEAR((own.diagonal() - Eigen::VectorXd::Ones(own.rows())).norm(), 0, 1e-9);
+  EXPECT_GT(Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(own).eigenvalues().minCoeff(), 0);
+  const Eigen::MatrixXd u = Eigen::MatrixXd::Constant(with.parameters(), 1, 0.5), before = u.topRows(base.parameters());
+  const Foretold p = with.predict(u);
+  const Eigen::VectorXd wrong = p.effects[0].wrong.col(0), scatter = p.effects[0].scatter.col(0);
+  const Eigen::MatrixXd added = wrong.asDiagonal() * own(c.feature, c.feature) * wrong.asDiagonal(), more = scatter.asDiagonal() * c.correlation * scatter.asDiagonal();
+  EXPECT_GT(wrong.maxCoeff(), 0);
+  EXPECT_TRUE(with.error(p, 0).isApprox(base.error(base.predict(before), 0) + added + more, 1e-9));
 }
 
 /// Data of our own code fit best where codes do not differ, and a code that is off by two runs' scatter where they do.
@@ -95,7 +110,7 @@ TEST(Likelihood, DataOfThisVeryCodeAreJudgedWithoutADifference) {
   const Comparison stranger = compare(emulator(), set);
   set.source = kSameCode;
   const Comparison own = compare(emulator(), set);
-  const Eigen::VectorXd sure = Eigen::VectorXd::Zero(own.size());
+  const Eigen::MatrixXd sure = Eigen::MatrixXd::Zero(own.size(), own.size());
   EXPECT_TRUE(own.covariance(sure, 1.5).isApprox(own.covariance(sure, 0), 1e-12));
   EXPECT_TRUE(own.covariance(sure).isApprox(stranger.covariance(sure, 0), 1e-9));
   EXPECT_GT(stranger.covariance(sure)(0, 0), 1.01 * own.covariance(sure)(0, 0));
@@ -214,7 +229,7 @@ TEST(Comparison, TakesCohesionAndFrictionAngleAsTwoFeaturesThatErrTogether) {
   EXPECT_EQ(c.correlation(0, 1), 0);  // a balance and a load cell
   const double together = c.correlation(1, 2) * std::sqrt(c.variance[1] * c.variance[2]);
   EXPECT_NEAR(together, c.measured[1].standard_error * c.measured[2].standard_error, 0.01 * together);  // the cohesion's error moves both
-  EXPECT_GT(Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(c.covariance(Eigen::VectorXd::Zero(3))).eigenvalues().minCoeff(), 0);
+  EXPECT_GT(Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(c.covariance(Eigen::MatrixXd::Zero(3, 3))).eigenvalues().minCoeff(), 0);
 }
 
 TEST(Comparison, ABedOfHeavierGrainsIsComparedByItsShareOfGrains) {

@@ -99,9 +99,9 @@ struct Question {
   std::map<std::string, Stated> stated;
   std::vector<Believed> believed;
 
-  explicit Question(double cohesion_probability = 0.5) {
+  explicit Question(double cohesion_probability = 0.5, double low = 5000, double high = 10000) {
     add({"none", {}, false, {}}, "none", 1 - cohesion_probability);
-    add({"cohesion", {0}, false, {{.low = 5000, .high = 10000, .logarithmic = true}}}, "cohesion", cohesion_probability);
+    add({"cohesion", {0}, false, {{.low = low, .high = high, .logarithmic = true}}}, "cohesion", cohesion_probability);
   }
   static ObservationSet without(ObservationSet set, const std::string& id) {
     std::erase_if(set.scalars, [&](const Scalar& s) { return s.id == id; });
@@ -155,7 +155,7 @@ TEST(NextTests, WhatIsKnownNeedsNoTest) {
 }
 
 TEST(NextTests, MoreSpecimensTellMoreAndCostMore) {
-  const Question question;
+  const Question question(0.5, 50, 300);  // strong cohesion is told by one specimen
   const NextTest few = find(question.ask(1), "angle of repose"), many = find(question.ask(12), "angle of repose");
   EXPECT_GT(*many.nats, *few.nats);
   EXPECT_GT(many.hours, few.hours);
