@@ -1,10 +1,10 @@
 #!/usr/bin/env bash
 # The bank of DEM runs that emulators of the gap diagnosis learn from: materials without any effect and,
-# for each effect, 32 of them with it. Written to ../data/bank.csv with what it cost.
+# for each effect, 32 of them with it, or twice or three times that where its emulator errs most. Written to ../data/bank.csv with what it cost.
 #   bash scheduler/gap/bank/run.sh [--sigma3 '1.25 2.5 5 10'] [-o bank.csv]
-# Three and a half hours on 2 cores, of which breakage takes one and a half; resumes where it stopped (build/campaign.db). Other confining
-# stresses [kPa] than the shipped bank's make a bank for `gap diagnose --bank`: what is stored is not run again, so one more stress costs about
-# a quarter of an hour.
+# Four and a half hours on 2 cores, of which breakage takes one and a half (its fragments are light: seven times the steps); resumes where it
+# stopped (build/campaign.db). Other confining stresses [kPa] than the shipped bank's make a bank for `gap diagnose --bank`: what is stored is
+# not run again, so one more stress costs about a quarter of an hour.
 set -euo pipefail
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 out=$here/../data/bank.csv sigma3=
@@ -43,24 +43,31 @@ study() {
   ids+=("$(sed -n 's/^  "experiment": "\(.*\)",$/\1/p' "$scratch/out.json")")
 }
 
-# effect offset column low high log: a study of one effect over its prior range
+# effect column low high log offset phase: a study of one effect over its prior range, on every sixth material from an offset on
 effect() {
-  local name=${2%%_kPa}
-  awk -F, -v effect="$2" -v low="$3" -v high="$4" -v by_ratio="$5" -v offset="$1" -f "$here/points.awk" "$here/../../surrogate/campaign/points.csv" >"$scratch/$name.csv"
+  local name=${1%%_kPa}
+  awk -F, -v effect="$1" -v low="$2" -v high="$3" -v by_ratio="$4" -v offset="$5" -v phase="$6" -f "$here/points.awk" "$here/../../surrogate/campaign/points.csv" >"$scratch/$name.csv"
   sed "s/EFFECT/$name/g" "$(design "$here/effect.yaml")" >"$scratch/$name.yaml"
   study "$scratch/$name.yaml"
 }
 
 study "$(design "$here/null.yaml")"
-effect 0 cohesion_kPa 0.02 20 1
-effect 1 rolling_resistance 0.02 0.5 1
-effect 2 boundary_compliance 1 50 1
-effect 3 lateral_stress_offset_kPa -0.8 5 0
-effect 4 wall_friction 0.05 0.8 1
-effect 5 size_distribution -1 1.3 0
-effect 0 loading_rate 0.3 1.5 0
-effect 1 hertzian_contact 0.05 1 0
-effect 2 preparation_friction 0.1 0.9 0
-effect 4 preparation_gravity -1 1 0
-effect 3 breakage 0.1 50 1  # fragments are light: seven times the steps
+for pass in 0.5 0.25 0.75; do
+  while read -r column low high by_ratio first second third; do
+    case $pass in 0.5) offset=$first ;; 0.25) offset=$second ;; *) offset=$third ;; esac
+    [ "$offset" = - ] || effect "$column" "$low" "$high" "$by_ratio" "$offset" "$pass" </dev/null
+  done <<'EFFECTS'
+cohesion_kPa 0.02 20 1 0 3 5
+rolling_resistance 0.02 0.5 1 1 4 2
+boundary_compliance 1 50 1 2 5 -
+lateral_stress_offset_kPa -0.8 5 0 3 0 -
+wall_friction 0.05 0.8 1 4 1 0
+size_distribution -1 1.3 0 5 2 4
+loading_rate 0.3 1.5 0 0 3 1
+hertzian_contact 0.05 1 0 1 4 -
+preparation_friction 0.1 0.9 0 2 5 -
+preparation_gravity -1 1 0 4 1 -
+breakage 0.1 50 1 3 - -
+EFFECTS
+done
 "$regolab" gap bank "${ids[@]}" -o "$out" --db "$db"
