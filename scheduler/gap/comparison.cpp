@@ -128,12 +128,14 @@ MatrixXd Comparison::covariance(const MatrixXd& error, double difference, const 
 }
 
 void Comparison::differ_by_nothing() {
+  same_code = true;
   variance -= between_alone;
   between_alone.setZero(), between_codes.setZero();
 }
 
 Comparison Comparison::subset(const std::vector<Index>& kept) const {
   Comparison out;
+  out.same_code = same_code;
   for (const Index k : kept) out.feature.push_back(feature[static_cast<std::size_t>(k)]), out.measured.push_back(measured[static_cast<std::size_t>(k)]);
   out.y = y(kept), out.variance = variance(kept), out.share = share(kept), out.ours = ours(kept), out.between_alone = between_alone(kept);
   out.correlation = correlation(kept, kept);

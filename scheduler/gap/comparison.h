@@ -19,6 +19,7 @@ struct Comparison {
   Eigen::VectorXd share;              // [q] of one run's variance in the measured mean: few large specimens scatter as many small ones
   Eigen::VectorXd between_alone;      // [q] of the variance, what codes differ by in this feature alone: repeats do not lessen it
   Eigen::MatrixXd between_codes;      // [q][q] what codes differ by in features that differ together, beside the variance
+  bool same_code = false;             // measured by this very code
 
   Eigen::Index size() const { return y.size(); }
   /// Covariance of the emulator's errors, where it says `emulator_variance` of its means without effects. [q][q]

@@ -224,6 +224,7 @@ Result<Diagnosis> diagnose(const Emulator& emulator, const ObservationSet& set, 
   const auto stated = stated_in(set, emulator.space());
   Diagnosis out;
   out.features = static_cast<int>(comparison.size());
+  out.same_code = comparison.same_code;
   out.adequacy_threshold = options.adequacy_threshold;
   int done = 0, steps = static_cast<int>(emulator.causes().size()) + 12;
   const auto step = [&](const std::string& what) { return !on_step || on_step(what, done++, steps); };

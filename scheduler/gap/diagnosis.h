@@ -71,6 +71,7 @@ struct Diagnosis {
   double open = 0;                         ///< entropy of the causes' probabilities [nat]: the most that a test can tell
   std::vector<std::string> warnings;
   int features = 0;
+  bool same_code = false;  ///< measured by this very code, whose laws are ours
 };
 
 struct DiagnosisOptions {

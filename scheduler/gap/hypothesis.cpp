@@ -17,6 +17,7 @@ constexpr double kUnknownScale = 2;    // of the half-Cauchy prior: how much lar
 constexpr double kMostUnknown = 50;
 constexpr int kLibraryDraws = 400;
 constexpr std::uint64_t kStream = 1000;
+constexpr double kOtherLaw = 0.3;      // of a shift, as often as codes differ as they usually do: laws of one name are written in many ways
 constexpr double kAnyDirection = 0.1;  // of the library's mean variance: directions that no effect makes
 
 /// Normal quantile by bisection: few digits are needed, and none of the parameters' cost is here.
@@ -83,7 +84,7 @@ VectorXd Likelihood::strength(const MatrixXd& u, std::size_t k) const {
   return u.row(static_cast<Index>(free_.size() + 1 + k)).transpose().unaryExpr([&](double share) { return range.at(share); });
 }
 
-double Likelihood::difference(const VectorXd& u) const { return kMostDifferent * u[static_cast<Index>(free_.size())]; }
+double Likelihood::difference(const VectorXd& u) const { return comparison_.same_code ? 0 : kMostDifferent * u[static_cast<Index>(free_.size())]; }
 
 double Likelihood::unknown_size(const VectorXd& u) const {
   const double share = std::min(u[u.size() - 1], 0.999);
@@ -101,7 +102,7 @@ Foretold Likelihood::predict(const MatrixXd& u) const {
     const VectorXd full = emulator_.scatter(use.cause)(of).cwiseProduct(comparison_.share).cwiseSqrt();
     const auto growth = use.strength.unaryExpr([&](double s) { return std::abs(emulator_.causes()[use.cause].growth(s)); });
     out.mean += shift.mean(of, Eigen::all);
-    out.effects.push_back({shift.variance(of, Eigen::all).cwiseSqrt(), full * growth.transpose()});
+    out.effects.push_back({shift.mean(of, Eigen::all), shift.variance(of, Eigen::all).cwiseSqrt(), full * growth.transpose()});
   }
   if (hypothesis_.offset_read) {
     for (Index k = 0; k < out.mean.rows(); ++k) {
@@ -112,10 +113,12 @@ Foretold Likelihood::predict(const MatrixXd& u) const {
   return out;
 }
 
-MatrixXd Likelihood::error(const Foretold& p, Index i) const {
+MatrixXd Likelihood::error(const Foretold& p, const MatrixXd& u, Index i) const {
   MatrixXd out = comparison_.base_error(p.variance.col(i));
+  const double law = std::pow(kOtherLaw * difference(u.col(i)), 2);
   for (std::size_t k = 0; k < p.effects.size(); ++k) {
-    const VectorXd wrong = p.effects[k].wrong.col(i), scatter = p.effects[k].scatter.col(i);
+    const Foretold::Shift& effect = p.effects[k];
+    const VectorXd scatter = effect.scatter.col(i), wrong = (effect.wrong.col(i).cwiseAbs2() + law * effect.mean.col(i).cwiseAbs2()).cwiseSqrt();
     out += wrong.asDiagonal() * go_together_[k] * wrong.asDiagonal();
     out += scatter.asDiagonal() * comparison_.correlation * scatter.asDiagonal();
   }
@@ -123,7 +126,7 @@ MatrixXd Likelihood::error(const Foretold& p, Index i) const {
 }
 
 MatrixXd Likelihood::covariance(const Foretold& p, const MatrixXd& u, Index i) const {
-  MatrixXd out = comparison_.covariance(error(p, i), difference(u.col(i)), p.scale.col(i));
+  MatrixXd out = comparison_.covariance(error(p, u, i), difference(u.col(i)), p.scale.col(i));
   if (hypothesis_.unknown) out += std::pow(unknown_size(u.col(i)), 2) * library_;
   return out;
 }

@@ -29,9 +29,9 @@ struct Hypothesis {
 
 /// What a batch of points foretells. [q][n_points]
 struct Foretold {
-  /// What an effect adds to the errors: standard deviations of the emulator's shift, and of what specimens with it scatter more by.
+  /// What an effect adds: to the means, and standard deviations of the emulator's error and of what specimens with it scatter more by.
   struct Shift {
-    Eigen::MatrixXd wrong, scatter;
+    Eigen::MatrixXd mean, wrong, scatter;
   };
   Eigen::MatrixXd mean;
   Eigen::MatrixXd variance;    ///< of the base model's mean
@@ -59,12 +59,13 @@ class Likelihood {
   /// [n_axes][n_points] SI; strength of cause k at each point.
   Eigen::MatrixXd values(const Eigen::MatrixXd& u) const;
   Eigen::VectorXd strength(const Eigen::MatrixXd& u, std::size_t k) const;
-  /// How many times the usual difference between codes there is, at one point: few data of our own code need none.
+  /// How many times the usual difference between codes there is, at one point; 0 for data of this very code.
   double difference(const Eigen::VectorXd& u) const;
   /// How many times the library's shifts the unknown is, at one point. REQUIRES: the hypothesis is the unknown.
   double unknown_size(const Eigen::VectorXd& u) const;
-  /// Covariance of the errors of what is foretold at one of the points that `predict` was asked for, and of what effects scatter. [q][q]
-  Eigen::MatrixXd error(const Foretold& foretold, Eigen::Index point) const;
+  /// Covariance of the errors of what is foretold at one of the points that `predict` was asked for: of the emulator, of another law by the
+  /// same name, and of what effects scatter. [q][q]
+  Eigen::MatrixXd error(const Foretold& foretold, const Eigen::MatrixXd& u, Eigen::Index point) const;
   /// Of measured less foretold there. [q][q]
   Eigen::MatrixXd covariance(const Foretold& foretold, const Eigen::MatrixXd& u, Eigen::Index point) const;
   /// The emulator's answer for the features compared.

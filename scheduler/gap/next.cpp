@@ -103,7 +103,7 @@ class Predictive {
     for (Index k = 0; k < n; ++k) {
       const double size = std::pow(likelihood.difference(u.col(k)), 2);
       MatrixXd shared = size * every_.between_codes;
-      shared += likelihood.error(p, k);
+      shared += likelihood.error(p, u, k);
       shared.diagonal() += size * every_.between_alone;
       if (b.hypothesis.unknown) shared += std::pow(likelihood.unknown_size(u.col(k)), 2) * library_;
       Eigen::LLT<MatrixXd> factor(shared(y, y) + own);

@@ -56,8 +56,19 @@ std::vector<Weighed> without_idle_halves(std::vector<Weighed> models) {
   return models;
 }
 
+/// The halves of a pair of classes, first the one that explains more alone.
+std::vector<std::string> halves_of(const std::string& pair, const std::vector<Weighed>& models) {
+  const auto alone = [&](const std::string& cause) {
+    double best = -INFINITY;
+    for (const Weighed& m : models) best = m.cause == cause ? std::max(best, m.log_z) : best;
+    return best;
+  };
+  const std::string a = pair.substr(0, pair.find('+')), b = pair.substr(pair.find('+') + 1);
+  return alone(b) > alone(a) ? std::vector{b, a} : std::vector{a, b};
+}
+
 /// The fewest classes that hold nine tenths of the probability; of a pair, both halves.
-std::vector<std::string> together(const std::vector<std::pair<std::string, double>>& classes) {
+std::vector<std::string> together(const std::vector<std::pair<std::string, double>>& classes, const std::vector<Weighed>& models) {
   std::vector<std::string> out;
   const auto name = [&](const std::string& cause) {
     if (std::ranges::find(out, cause) == out.end()) out.push_back(cause);
@@ -65,8 +76,9 @@ std::vector<std::string> together(const std::vector<std::pair<std::string, doubl
   double sum = 0;
   for (const auto& [cause, share] : classes) {
     if (sum >= kTogether) break;
-    name(cause.substr(0, cause.find('+')));
-    if (is_pair(cause)) name(cause.substr(cause.find('+') + 1));
+    if (!is_pair(cause)) name(cause);
+    else
+      for (const std::string& half : halves_of(cause, models)) name(half);
     sum += share;
   }
   return out;
@@ -131,8 +143,9 @@ void decide(Diagnosis& d) {
   } else if ((best == "unknown" && p >= kUnknownSure) || d.adequacy < d.adequacy_threshold) {
     d.verdict = Verdict::kNoneOfThese;
     d.classes = {"unknown"};
-  } else if (p < kSure) {
-    d.classes = together(classes);
+  } else if (p < kSure || (is_pair(best) && !d.same_code)) {
+    d.classes = together(classes, d.models);
+    if (p >= kSure) d.warnings.push_back(best + " fits best together, but of what another code or a laboratory measured a second cause cannot be told from a law that is written otherwise");
     d.verdict = d.classes.size() > kMostNamed ? Verdict::kCannotTell : Verdict::kOneOf;
   } else if (is_pair(best)) {
     d.verdict = Verdict::kPair;

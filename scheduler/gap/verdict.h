@@ -13,7 +13,7 @@ void weigh(std::vector<Weighed>& models, double temperature);
 /// Probability of each class, most probable first.
 std::vector<std::pair<std::string, double>> by_class(const std::vector<Weighed>& models);
 
-/// Verdict and classes, from models, isolability and adequacy.
+/// Verdict and classes, from models, isolability and adequacy. A pair is named only where this very code measured; else it is one of two.
 void decide(Diagnosis& diagnosis);
 
 }  // namespace regolab::gap

@@ -67,15 +67,17 @@ TEST(Likelihood, HoldsTheScatterOfItsEffects) {
   Comparison c = compare(emulator(), measured(0.6, 4, 0, 0));
   const Likelihood with(emulator(), c, {"cohesion", {0}, false, {}}, {});
   Eigen::MatrixXd u = Eigen::MatrixXd::Constant(with.parameters(), 1, 0.5);
-  const Eigen::MatrixXd three = with.error(with.predict(u), 0);
+  const Eigen::MatrixXd three = with.error(with.predict(u), u, 0);
   c.share *= 3;
   const double strength = with.strength(u, 0)[0], growth = emulator().causes()[0].growth(strength);
-  const Eigen::VectorXd more = (with.error(with.predict(u), 0) - three).diagonal();
+  const Eigen::VectorXd more = (with.error(with.predict(u), u, 0) - three).diagonal();
   EXPECT_TRUE(more.isApprox(2.0 / 3 * growth * growth * emulator().scatter(0)(c.feature), 1e-9)) << "of one specimen instead of three";
 }
 
 TEST(Likelihood, ErrorsOfEachEffectGoTogetherInTheirOwnWay) {
-  const Comparison c = compare(emulator(), measured(0.6, 4, 0, 0));
+  ObservationSet set = measured(0.6, 4, 0, 0);
+  set.source = kSameCode;
+  const Comparison c = compare(emulator(), set);
   const Likelihood base(emulator(), c, {"none", {}, false, {}}, {}), with(emulator(), c, {"cohesion", {0}, false, {}}, {});
   const Eigen::MatrixXd own = emulator().error_correlation(0);
   EXPECT_NEAR((own.diagonal() - Eigen::VectorXd::Ones(own.rows())).norm(), 0, 1e-9);
@@ -85,7 +87,21 @@ TEST(Likelihood, ErrorsOfEachEffectGoTogetherInTheirOwnWay) {
   const Eigen::VectorXd wrong = p.effects[0].wrong.col(0), scatter = p.effects[0].scatter.col(0);
   const Eigen::MatrixXd added = wrong.asDiagonal() * own(c.feature, c.feature) * wrong.asDiagonal(), more = scatter.asDiagonal() * c.correlation * scatter.asDiagonal();
   EXPECT_GT(wrong.maxCoeff(), 0);
-  EXPECT_TRUE(with.error(p, 0).isApprox(base.error(base.predict(before), 0) + added + more, 1e-9));
+  EXPECT_TRUE(with.error(p, u, 0).isApprox(base.error(base.predict(before), before, 0) + added + more, 1e-9));
+}
+
+TEST(Likelihood, AnotherCodesLawOfTheSameNameMayShiftOtherwise) {
+  ObservationSet set = measured(0.6, 4, 0, 0);
+  const Comparison stranger = compare(emulator(), set);
+  set.source = kSameCode;
+  const Comparison own = compare(emulator(), set);
+  const Hypothesis cohesion{"cohesion", {0}, false, {}};
+  const Likelihood theirs(emulator(), stranger, cohesion, {}), ours(emulator(), own, cohesion, {});
+  const Eigen::MatrixXd u = Eigen::MatrixXd::Constant(theirs.parameters(), 1, 0.5);
+  const Foretold p = theirs.predict(u);
+  EXPECT_EQ(ours.difference(u.col(0)), 0);
+  const Eigen::VectorXd more = (theirs.error(p, u, 0) - ours.error(p, u, 0)).diagonal().cwiseSqrt();
+  EXPECT_TRUE(more.isApprox(0.3 * theirs.difference(u.col(0)) * p.effects[0].mean.col(0).cwiseAbs(), 1e-6));
 }
 
 /// Data of our own code fit best where codes do not differ, and a code that is off by two runs' scatter where they do.

@@ -28,8 +28,9 @@ TEST(Weigh, OddsAreEvidenceOverTemperature) {
   EXPECT_NEAR(probability(models, "cohesion") / probability(models, "none"), 0.55 / 0.20 * std::exp(3.0), 1e-9);
 }
 
-Diagnosis diagnosis(std::vector<Weighed> models, double adequacy = 0.5) {
+Diagnosis diagnosis(std::vector<Weighed> models, double adequacy = 0.5, bool same_code = true) {
   Diagnosis d;
+  d.same_code = same_code;
   d.models = std::move(models);
   weigh(d.models, 1);
   d.isolability = {{.effect = "cohesion", .sigma = 5, .twin = {}}};
@@ -46,6 +47,7 @@ TEST(Decide, SixVerdicts) {
   const Diagnosis pair = diagnosis({model("none", 0), model("cohesion", 5), model("wall_friction", 5), model("wall_friction+cohesion", 30), model("unknown", 0)});
   EXPECT_EQ(pair.verdict, Verdict::kPair);
   EXPECT_EQ(pair.classes, (std::vector<std::string>{"cohesion", "wall_friction"}));
+  EXPECT_TRUE(pair.warnings.empty());
   const Diagnosis either = diagnosis({model("none", 0), model("cohesion", 20), model("wall_friction", 20), model("unknown", 0)});
   EXPECT_EQ(either.verdict, Verdict::kOneOf);
   EXPECT_EQ(either.classes.size(), 2u);
@@ -58,6 +60,14 @@ TEST(Decide, APairNoBetterThanItsBetterHalfSpeaksForThatHalf) {
   EXPECT_EQ(d.models.front().cause, "cohesion+wall_friction");
   EXPECT_EQ(d.verdict, Verdict::kEffect);
   EXPECT_EQ(d.classes, std::vector<std::string>{"cohesion"});
+}
+
+TEST(Decide, OfStrangersDataAPairIsOneOfItsHalvesTheBetterFirst) {
+  const Diagnosis d = diagnosis({model("none", 0), model("cohesion", 5), model("wall_friction", 9), model("wall_friction+cohesion", 30), model("unknown", 0)}, 0.5, false);
+  EXPECT_EQ(d.verdict, Verdict::kOneOf);
+  EXPECT_EQ(d.classes, (std::vector<std::string>{"wall_friction", "cohesion"}));
+  ASSERT_EQ(d.warnings.size(), 1u);
+  EXPECT_NE(d.warnings.front().find("cohesion+wall_friction"), std::string::npos);
 }
 
 TEST(Decide, ABestModelThatDoesNotFitIsNoneOfThese) {
