@@ -25,6 +25,7 @@ const std::vector<Difference>& differences() {
       {{"repose_angle", 0.4}, {"repose_angle_whole", 0.4}, {"repose_wedge", 0.3}},
       {{"void_ratio_compressed", 0.8}},
       {{"void_ratio_compressed", 0, 0.6}},
+      {{"void_ratio_compressed", 0, -0.8}, {"volumetric_strain_0.05", 0.4, 0.4}, {"volumetric_strain_0.10", 0.3, 0.3}},
       {{"volumetric_strain_0.05", 0.5}, {"volumetric_strain_0.10", 0.5}, {"volumetric_strain_0.19", 0.5}},
       {{"volumetric_strain_0.05", 0, 0.4}, {"volumetric_strain_0.10", 0, 0.4}, {"volumetric_strain_0.19", 0, 0.4}},
       {{"sigma1_early", 0.5}, {"sigma1_rising", 0.5}, {"E50_ratio", 0.5}},
