@@ -257,6 +257,7 @@ Result<Diagnosis> diagnose(const Emulator& emulator, const ObservationSet& set, 
   const auto named = std::ranges::find_if(out.models, [](const Weighed& m) { return m.model != "unknown"; });
   const auto hypothesis = std::ranges::find(hypotheses, named->model, &Hypothesis::name);
   out.adequacy = adequacy_of(Likelihood(emulator, comparison, *hypothesis, stated, library), comparison, search.posteriors.at(named->model), options.smc.seed);
+  doubt(out.models, out.adequacy);
   if (!step("where")) return stopped();
   out.where = where_of(emulator, comparison, stated, options);
   if (!step("which test would tell more")) return stopped();

@@ -122,6 +122,15 @@ void weigh(std::vector<Weighed>& models, double temperature) {
   std::ranges::sort(models, std::greater{}, &Weighed::probability);
 }
 
+void doubt(std::vector<Weighed>& models, double adequacy) {
+  if (adequacy >= std::exp(-1.0)) return;
+  const double fits = -std::exp(1.0) * adequacy * std::log(adequacy), other = kPriorUnknown / (1 - kPriorUnknown) * (1 / fits - 1);
+  double named = 0;
+  for (const Weighed& m : models) named += m.cause != "unknown" ? m.probability : 0;
+  for (Weighed& m : models) m.probability = (m.probability + (m.cause == "unknown" ? named * other : 0)) / (1 + named * other);
+  std::ranges::sort(models, std::greater{}, &Weighed::probability);
+}
+
 std::vector<std::pair<std::string, double>> by_class(const std::vector<Weighed>& models) {
   std::vector<std::pair<std::string, double>> out;
   for (const Weighed& m : models) {

@@ -28,6 +28,24 @@ TEST(Weigh, OddsAreEvidenceOverTemperature) {
   EXPECT_NEAR(probability(models, "cohesion") / probability(models, "none"), 0.55 / 0.20 * std::exp(3.0), 1e-9);
 }
 
+TEST(Doubt, AMisfitSpeaksForTheUnknownAsFarAsItsPAllows) {
+  const auto after = [](double p) {
+    std::vector<Weighed> models = {model("none", 0), model("cohesion", 20), model("unknown", 0)};
+    weigh(models, 1);
+    doubt(models, p);
+    double sum = 0;
+    for (const Weighed& m : models) sum += m.probability;
+    EXPECT_NEAR(sum, 1, 1e-12);
+    return models;
+  };
+  EXPECT_LT(probability(after(0.5), "unknown"), 1e-6);
+  EXPECT_LT(probability(after(0.37), "unknown"), 1e-3) << "no step where the bound begins";
+  EXPECT_NEAR(probability(after(0.01), "unknown"), 1 / (1 + 0.85 / 0.15 / (1 / (std::exp(1.0) * 0.01 * std::log(100.0)) - 1)), 1e-6);
+  EXPECT_EQ(after(0.001).front().model, "unknown");
+  const auto models = after(0.05);
+  EXPECT_NEAR(probability(models, "cohesion") / probability(models, "none"), 0.55 / 0.20 * std::exp(20.0), 1e-3 * std::exp(20.0)) << "among the named nothing changes";
+}
+
 Diagnosis diagnosis(std::vector<Weighed> models, double adequacy = 0.5, bool same_code = true) {
   Diagnosis d;
   d.same_code = same_code;
