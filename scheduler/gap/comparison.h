@@ -27,6 +27,7 @@ struct Comparison {
   /// Of measured less predicted, where the emulator errs by `error`; `difference` times what codes differ by, where our own runs scatter
   /// `scale` times as much as the mean material's (empty: as much). [q][q]
   Eigen::MatrixXd covariance(const Eigen::MatrixXd& error, double difference = 1, const Eigen::VectorXd& scale = {}) const;
+  Eigen::MatrixXd covariance(const Eigen::VectorXd&, double = 1, const Eigen::VectorXd& = {}) const = delete;  ///< a column is no covariance
   /// For measurements by this very code.
   void differ_by_nothing();
   /// The same without some of its features (or with only some).

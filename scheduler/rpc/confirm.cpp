@@ -142,7 +142,7 @@ v1::Shrinkage measured(const gap::Emulator& emulator, const gap::Comparison& hel
     out.set_undefined("no run of either model has a held-out number (see the stages of its experiments)");
     return out;
   }
-  const gap::Target target{held.y, held.covariance(VectorXd::Zero(held.size()))};
+  const gap::Target target{held.y, held.covariance(MatrixXd(MatrixXd::Zero(held.size(), held.size())))};
   const bool repaired = runs.repaired.cols() > 0;
   const gap::SquaredGap base = gap::squared_gap(target, runs.base, d.first_seed());
   out.set_base_gap(root(base.value)), out.set_base_gap_noise_95(root(base.noise_95));

@@ -245,7 +245,7 @@ TEST(Comparison, TakesCohesionAndFrictionAngleAsTwoFeaturesThatErrTogether) {
   EXPECT_EQ(c.correlation(0, 1), 0);  // a balance and a load cell
   const double together = c.correlation(1, 2) * std::sqrt(c.variance[1] * c.variance[2]);
   EXPECT_NEAR(together, c.measured[1].standard_error * c.measured[2].standard_error, 0.01 * together);  // the cohesion's error moves both
-  EXPECT_GT(Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(c.covariance(Eigen::MatrixXd::Zero(3, 3))).eigenvalues().minCoeff(), 0);
+  EXPECT_GT(Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(c.covariance(Eigen::MatrixXd(Eigen::MatrixXd::Zero(3, 3)))).eigenvalues().minCoeff(), 0);
 }
 
 TEST(Comparison, ABedOfHeavierGrainsIsComparedByItsShareOfGrains) {
