@@ -81,7 +81,7 @@ Comparison compare(const Emulator& emulator, const ObservationSet& set) {
   if (line) features.insert(features.end(), line->ends.begin(), line->ends.end());
   Comparison out = compare(emulator, features, size_ratio_of(set));
   if (line) go_together(*line, out);
-  if (set.source == kSameCode) out.differ_by_nothing();
+  out.same_code = set.source == kSameCode;
   return out;
 }
 

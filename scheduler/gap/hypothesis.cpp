@@ -84,7 +84,7 @@ VectorXd Likelihood::strength(const MatrixXd& u, std::size_t k) const {
   return u.row(static_cast<Index>(free_.size() + 1 + k)).transpose().unaryExpr([&](double share) { return range.at(share); });
 }
 
-double Likelihood::difference(const VectorXd& u) const { return comparison_.same_code ? 0 : kMostDifferent * u[static_cast<Index>(free_.size())]; }
+double Likelihood::difference(const VectorXd& u) const { return kMostDifferent * u[static_cast<Index>(free_.size())]; }
 
 double Likelihood::unknown_size(const VectorXd& u) const {
   const double share = std::min(u[u.size() - 1], 0.999);
@@ -115,7 +115,7 @@ Foretold Likelihood::predict(const MatrixXd& u) const {
 
 MatrixXd Likelihood::error(const Foretold& p, const MatrixXd& u, Index i) const {
   MatrixXd out = comparison_.base_error(p.variance.col(i));
-  const double law = std::pow(kOtherLaw * difference(u.col(i)), 2);
+  const double law = comparison_.same_code ? 0 : std::pow(kOtherLaw * difference(u.col(i)), 2);
   for (std::size_t k = 0; k < p.effects.size(); ++k) {
     const Foretold::Shift& effect = p.effects[k];
     const VectorXd scatter = effect.scatter.col(i), wrong = (effect.wrong.col(i).cwiseAbs2() + law * effect.mean.col(i).cwiseAbs2()).cwiseSqrt();
