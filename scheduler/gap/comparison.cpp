@@ -128,7 +128,6 @@ MatrixXd Comparison::covariance(const MatrixXd& error, double difference, const 
 }
 
 void Comparison::differ_by_nothing() {
-  same_code = true;
   variance -= between_alone;
   between_alone.setZero(), between_codes.setZero();
 }

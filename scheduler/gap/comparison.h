@@ -28,7 +28,7 @@ struct Comparison {
   /// `scale` times as much as the mean material's (empty: as much). [q][q]
   Eigen::MatrixXd covariance(const Eigen::MatrixXd& error, double difference = 1, const Eigen::VectorXd& scale = {}) const;
   Eigen::MatrixXd covariance(const Eigen::VectorXd&, double = 1, const Eigen::VectorXd& = {}) const = delete;  ///< a column is no covariance
-  /// For measurements by this very code.
+  /// Without what codes differ by.
   void differ_by_nothing();
   /// The same without some of its features (or with only some).
   Comparison subset(const std::vector<Eigen::Index>& kept) const;

@@ -92,10 +92,14 @@ VectorXd scale_of(const Repeats& base, const std::vector<Index>& members) {
   return sum.array() / count.array();
 }
 
-/// Of what a process gets wrong about rows left out, seeds apart. residual: [n][p]; seeds: [p] variance that they have in it.
-MatrixXd correlation_of_errors(const MatrixXd& residual, const VectorXd& seeds, const MatrixXd& correlation) {
+/// Covariance of what a process gets wrong about rows left out, seeds apart. residual: [n][p]; seeds: [p] variance that they have in it.
+MatrixXd beyond_seeds(const MatrixXd& residual, const VectorXd& seeds, const MatrixXd& correlation) {
   const VectorXd sd = seeds.cwiseSqrt();
-  const MatrixXd wrong = paired_covariance(residual) - sd.asDiagonal() * correlation * sd.asDiagonal();
+  return paired_covariance(residual) - sd.asDiagonal() * correlation * sd.asDiagonal();
+}
+
+MatrixXd correlation_of_errors(const MatrixXd& residual, const VectorXd& seeds, const MatrixXd& correlation) {
+  const MatrixXd wrong = beyond_seeds(residual, seeds, correlation);
   return sound_correlation(wrong, wrong.diagonal().cwiseMax(kLeastError * seeds).cwiseMax(kLeastVariance), kErrorShrinkage);
 }
 
@@ -216,9 +220,7 @@ Result<Emulator> Emulator::from(const Bank& bank, const std::vector<Kernel>& ker
 /// What the processes get wrong about materials left out, seeds apart: variance that they did not foretell becomes misfit, and errors of
 /// several features that go together are counted once. residual, foretold: [n_materials][p]; runs: behind each material's mean.
 void Emulator::judge(const MatrixXd& residual, const MatrixXd& foretold, double runs) {
-  const VectorXd seeds = noise_ / runs;
-  const VectorXd sd = seeds.cwiseSqrt();
-  const MatrixXd wrong = paired_covariance(residual) - sd.asDiagonal() * correlation_ * sd.asDiagonal();
+  const MatrixXd wrong = beyond_seeds(residual, noise_ / runs, correlation_);
   const MatrixXd filled = foretold.array().isFinite().select(foretold, 0.0);
   const VectorXd expected = (filled.colwise().sum().array() / foretold.array().isFinite().cast<double>().colwise().sum().max(1.0)).transpose();
   misfit_ = (wrong.diagonal() - expected).cwiseMax(0.0);

@@ -101,8 +101,8 @@ Foretold Likelihood::predict(const MatrixXd& u) const {
     const Predicted shift = emulator_.shift(material, use);
     const VectorXd full = emulator_.scatter(use.cause)(of).cwiseProduct(comparison_.share).cwiseSqrt();
     const auto growth = use.strength.unaryExpr([&](double s) { return std::abs(emulator_.causes()[use.cause].growth(s)); });
-    out.mean += shift.mean(of, Eigen::all);
     out.effects.push_back({shift.mean(of, Eigen::all), shift.variance(of, Eigen::all).cwiseSqrt(), full * growth.transpose()});
+    out.mean += out.effects.back().mean;
   }
   if (hypothesis_.offset_read) {
     for (Index k = 0; k < out.mean.rows(); ++k) {

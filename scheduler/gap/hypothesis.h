@@ -59,7 +59,7 @@ class Likelihood {
   /// [n_axes][n_points] SI; strength of cause k at each point.
   Eigen::MatrixXd values(const Eigen::MatrixXd& u) const;
   Eigen::VectorXd strength(const Eigen::MatrixXd& u, std::size_t k) const;
-  /// How many times the usual difference between codes there is, at one point; 0 for data of this very code.
+  /// How many times the usual difference between codes there is, at one point.
   double difference(const Eigen::VectorXd& u) const;
   /// How many times the library's shifts the unknown is, at one point. REQUIRES: the hypothesis is the unknown.
   double unknown_size(const Eigen::VectorXd& u) const;

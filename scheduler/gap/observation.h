@@ -70,7 +70,7 @@ struct Unused {
   std::string why;  ///< problem (why) remedy
 };
 
-/// Who measured. Laboratories and other codes differ from this one by more than any effect; this code does not.
+/// Who measured. Laboratories and other codes may write a law of the same name otherwise; this code does not.
 inline constexpr std::string_view kLaboratory = "laboratory", kOtherCode = "other_code", kSameCode = "same_code";
 
 struct ObservationSet {
