@@ -46,14 +46,29 @@ double share_of(const Difference& difference, const Feature& feature) {
   return 0;
 }
 
+Eigen::VectorXd shares_of(const Difference& difference, const std::vector<Feature>& features) {
+  Eigen::VectorXd out(std::ssize(features));
+  for (Eigen::Index k = 0; k < out.size(); ++k) out[k] = share_of(difference, features[static_cast<std::size_t>(k)]);
+  return out;
+}
+
 }  // namespace
+
+Eigen::VectorXd by_step(const std::vector<Feature>& features) {
+  static const Difference step = {{"sigma3_measured_ratio", 0.3, -0.12}, {"sigma1_peak_ratio", 0.3, -0.15}, {"volumetric_strain_0.05", 0.18}, {"surface_roughness", 0.3},
+                                  {"repose_wedge", -0.2}, {"repose_angle_whole", -0.2}, {"bulk_density", -0.2}, {"E50_ratio", -0.2}};
+  return shares_of(step, features);
+}
+
+Eigen::VectorXd by_records(const std::vector<Feature>& features) {
+  static const Difference records = {{"sigma1_peak_ratio", 0.32}, {"sigma3_measured_ratio", 0.22}};
+  return shares_of(records, features);
+}
 
 Eigen::MatrixXd between_codes(const std::vector<Feature>& features) {
   const auto& all = differences();
   Eigen::MatrixXd out(std::ssize(features), std::ssize(all));
-  for (Eigen::Index k = 0; k < out.rows(); ++k) {
-    for (Eigen::Index r = 0; r < out.cols(); ++r) out(k, r) = share_of(all[static_cast<std::size_t>(r)], features[static_cast<std::size_t>(k)]);
-  }
+  for (Eigen::Index r = 0; r < out.cols(); ++r) out.col(r) = shares_of(all[static_cast<std::size_t>(r)], features);
   return out;
 }
 

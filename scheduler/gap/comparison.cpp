@@ -70,6 +70,16 @@ void go_together(const StrengthLine& line, Comparison& comparison) {
   comparison.correlation(at[0], at[1]) = comparison.correlation(at[1], at[0]) = own / std::sqrt(comparison.variance[at[0]] * comparison.variance[at[1]]);
 }
 
+/// What specimens of the bank's size would have measured.
+void as_of_usual_size(const Predicted& shift, Comparison& comparison) {
+  if (shift.mean.size() == 0) return;
+  for (Index k = 0; k < comparison.size(); ++k) {
+    const Index of = comparison.feature[static_cast<std::size_t>(k)];
+    comparison.y[k] -= shift.mean(of, 0), comparison.measured[static_cast<std::size_t>(k)].value -= shift.mean(of, 0);
+    comparison.size_variance[k] = shift.variance(of, 0);
+  }
+}
+
 }  // namespace
 
 double size_ratio_of(const ObservationSet& set) { return std::min(1.0, kBankParticles / set.specimen.particles.value_or(kBankParticles)); }
@@ -81,6 +91,7 @@ Comparison compare(const Emulator& emulator, const ObservationSet& set) {
   if (line) features.insert(features.end(), line->ends.begin(), line->ends.end());
   Comparison out = compare(emulator, features, size_ratio_of(set));
   if (line) go_together(*line, out);
+  if (set.specimen.particles) as_of_usual_size(emulator.of_particles(*set.specimen.particles), out);
   out.same_code = set.source == kSameCode;
   return out;
 }
@@ -104,7 +115,9 @@ Comparison compare(const Emulator& emulator, const std::vector<Feature>& feature
   out.ours = Eigen::Map<const VectorXd>(ours.data(), out.size());
   out.share = Eigen::Map<const VectorXd>(share.data(), out.size());
   out.between_alone = kAlone * kAlone * sd.cwiseAbs2();
-  out.variance = Eigen::Map<const VectorXd>(variance.data(), static_cast<Index>(variance.size())) + out.between_alone;
+  out.variance = Eigen::Map<const VectorXd>(variance.data(), static_cast<Index>(variance.size())) + out.between_alone + sd.cwiseProduct(by_records(out.measured)).cwiseAbs2();
+  out.by_step = sd.cwiseProduct(by_step(out.measured));
+  out.size_variance = VectorXd::Zero(out.size());
   out.correlation = emulator.correlation()(out.feature, out.feature);
   out.error_correlation = emulator.error_correlation()(out.feature, out.feature);
   const MatrixXd together = sd.asDiagonal() * between_codes(out.measured);
@@ -113,8 +126,10 @@ Comparison compare(const Emulator& emulator, const std::vector<Feature>& feature
 }
 
 MatrixXd Comparison::base_error(const VectorXd& emulator_variance) const {
-  const VectorXd wrong = emulator_variance.cwiseSqrt();
-  return wrong.asDiagonal() * error_correlation * wrong.asDiagonal();
+  const VectorXd wrong = (emulator_variance + size_variance).cwiseSqrt();
+  MatrixXd out = wrong.asDiagonal() * error_correlation * wrong.asDiagonal();
+  out += by_step * by_step.transpose();
+  return out;
 }
 
 MatrixXd Comparison::covariance(const MatrixXd& error, double difference, const VectorXd& scale) const {
@@ -136,7 +151,7 @@ Comparison Comparison::subset(const std::vector<Index>& kept) const {
   Comparison out;
   out.same_code = same_code;
   for (const Index k : kept) out.feature.push_back(feature[static_cast<std::size_t>(k)]), out.measured.push_back(measured[static_cast<std::size_t>(k)]);
-  out.y = y(kept), out.variance = variance(kept), out.share = share(kept), out.ours = ours(kept), out.between_alone = between_alone(kept);
+  out.y = y(kept), out.variance = variance(kept), out.share = share(kept), out.ours = ours(kept), out.between_alone = between_alone(kept), out.by_step = by_step(kept), out.size_variance = size_variance(kept);
   out.correlation = correlation(kept, kept);
   out.error_correlation = error_correlation(kept, kept);
   out.between_codes = between_codes(kept, kept);

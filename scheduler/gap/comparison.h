@@ -19,10 +19,12 @@ struct Comparison {
   Eigen::VectorXd share;              // [q] of one run's variance in the measured mean: few large specimens scatter as many small ones
   Eigen::VectorXd between_alone;      // [q] of the variance, what codes differ by in this feature alone: repeats do not lessen it
   Eigen::MatrixXd between_codes;      // [q][q] what codes differ by in features that differ together, beside the variance
+  Eigen::VectorXd by_step;            // [q] what features shift by together where a time step was another
+  Eigen::VectorXd size_variance;      // [q] of what another number of particles shifts: it goes together as the emulator's errors do
   bool same_code = false;             // measured by this very code
 
   Eigen::Index size() const { return y.size(); }
-  /// Covariance of the emulator's errors, where it says `emulator_variance` of its means without effects. [q][q]
+  /// Covariance of the emulator's errors, where it says `emulator_variance` of its means without effects, and of what time steps do. [q][q]
   Eigen::MatrixXd base_error(const Eigen::VectorXd& emulator_variance) const;
   /// Of measured less predicted, where the emulator errs by `error`; `difference` times what codes differ by, where our own runs scatter
   /// `scale` times as much as the mean material's (empty: as much). [q][q]

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numbers>
 #include <numeric>
 
 #include "scheduler/gap/covariances.h"
@@ -123,8 +124,9 @@ double Cause::share(double strength) const {
 
 double Cause::growth(double strength) const {
   const double low = effect->prior_low, high = effect->prior_high;
+  if (effect->id == EffectId::kLoadingRate) return std::expm1(std::numbers::ln10 * strength) / std::expm1(std::numbers::ln10 * high);  // decades of speed
   if (!effect->logarithmic) return strength / std::max(std::abs(low), std::abs(high));
-  const double middle = std::sqrt(low * high);  // proportional below, by ratios above
+  const double middle = std::pow(low, 0.75) * std::pow(high, 0.25);  // proportional below, by ratios above
   return std::log1p(strength / middle) / std::log1p(high / middle);
 }
 
@@ -133,8 +135,10 @@ int Emulator::feature(const std::string& id) const {
   return found == features_.end() ? -1 : static_cast<int>(found - features_.begin());
 }
 
-Result<Emulator> Emulator::from(const Bank& bank, const std::vector<Kernel>& kernels) {
+Result<Emulator> Emulator::from(const Bank& all, const std::vector<Kernel>& kernels) {
   Emulator out;
+  const double usual = usual_size(all);
+  const Bank bank = of_size(all, usual);
   out.space_ = space_of(bank);
   for (const std::string& id : bank.features) {
     if (const auto info = feature_info(id)) out.features_.push_back(*info);
@@ -169,6 +173,7 @@ Result<Emulator> Emulator::from(const Bank& bank, const std::vector<Kernel>& ker
     out.base_.push_back(std::move(family));
   }
   out.judge(residual, foretold, base.weight.mean());
+  out.compare_sizes(all, usual);
   std::vector<EffectRuns> runs(out.causes_.size());
   for (const BankRow& row : bank.rows) {
     const int cause = cause_of(bank, row, out.causes_);
@@ -215,6 +220,27 @@ Result<Emulator> Emulator::from(const Bank& bank, const std::vector<Kernel>& ker
   }
   out.causes_ = std::move(known);
   return out;
+}
+
+/// Runs without effects of other sizes than the usual one, beside what the base processes foretell of their materials.
+void Emulator::compare_sizes(const Bank& bank, double usual) {
+  const auto input = bank.input("particles");
+  std::vector<const BankRow*> rows;
+  for (const BankRow& row : bank.rows) {
+    if (input && row.inputs[*input] != usual && cause_of(bank, row, causes_) == -1) rows.push_back(&row);
+  }
+  if (rows.empty()) return;
+  const auto n = static_cast<Index>(rows.size());
+  MatrixXd values(static_cast<Index>(space_.size()), n), residual(n, noise_.size());
+  VectorXd particles(n);
+  for (Index i = 0; i < n; ++i) {
+    const BankRow& row = *rows[static_cast<std::size_t>(i)];
+    values.col(i) = values_of(bank, row, space_), particles[i] = row.inputs[*input];
+    residual.row(i) = Eigen::Map<const VectorXd>(row.features.data(), noise_.size()).transpose();
+  }
+  const Predicted own = predict(values);
+  const MatrixXd seeds = noise_.asDiagonal() * noise_scale(values) * (usual / particles.array()).matrix().asDiagonal();
+  size_ = FiniteSize(usual, particles, residual - own.mean.transpose(), (own.variance + seeds).transpose());
 }
 
 /// What the processes get wrong about materials left out, seeds apart: variance that they did not foretell becomes misfit, and errors of

@@ -5,6 +5,7 @@
 #include <optional>
 #include <span>
 
+#include "scheduler/gap/finite_size.h"
 #include "scheduler/gap/noise_scale.h"
 #include "scheduler/gap/space.h"
 #include "vocab/effects.h"
@@ -49,6 +50,8 @@ class Emulator {
   const Eigen::MatrixXd& correlation() const { return correlation_; }   ///< [p][p] of what seeds do
   const Eigen::MatrixXd& error_correlation() const { return error_correlation_; }  ///< [p][p] of what the emulator gets wrong itself
   const Eigen::MatrixXd& error_correlation(std::size_t cause) const { return effects_[cause].error_correlation; }  ///< of a cause's shifts
+  /// What a specimen of that many particles measures, less one of the bank's usual size. [p][1]; no rows where the bank has one size alone.
+  Predicted of_particles(double particles) const { return size_.at(particles); }
   std::vector<Kernel> kernels() const;  ///< in an order of their own, for `from`
 
  private:
@@ -72,6 +75,9 @@ class Emulator {
   Eigen::VectorXd misfit_;       ///< [p] variance that the base processes leave beyond the seeds' own
   Eigen::MatrixXd correlation_, error_correlation_;
 
+  FiniteSize size_;
+
+  void compare_sizes(const Bank& bank, double usual);
   void judge(const Eigen::MatrixXd& residual, const Eigen::MatrixXd& foretold, double runs);
 };
 

@@ -19,7 +19,7 @@ class Gap : public Programs {
   void SetUp() override {
     Programs::SetUp();
     write("bank.csv", test::MadeUpGap::bank_csv());
-    write("o.yaml", test::MadeUpGap::observations_yaml("made-up", 0.6, 4, 5000, 0));
+    write("o.yaml", test::MadeUpGap::observations_yaml("made-up", 0.6, 4, 12000, 0));
     const Ran ran = regolab("gap emulate bank.csv -o kernels.json");
     ASSERT_EQ(ran.code, 0) << ran.err;
   }

@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # The bank of DEM runs that emulators of the gap diagnosis learn from: materials without any effect and,
-# for each effect, 32 of them with it, or twice or three times that where its emulator errs most. Written to ../data/bank.csv with what it cost.
+# for each effect, 32 of them with it, or twice or three times that where its emulator errs most; 72 in specimens
+# of other sizes. Written to ../data/bank.csv with what it cost.
 #   bash scheduler/gap/bank/run.sh [--sigma3 '1.25 2.5 5 10'] [-o bank.csv]
 # Four and a half hours on 2 cores, of which breakage takes one and a half (its fragments are light: seven times the steps); resumes where it
 # stopped (build/campaign.db). Other confining stresses [kPa] than the shipped bank's make a bank for `gap diagnose --bank`: what is stored is
@@ -51,6 +52,13 @@ effect() {
   study "$scratch/$name.yaml"
 }
 
+# size name particles every offset: the base model in specimens of that many particles, on every so manyth material from an offset on
+size() {
+  awk -F, -v every="$3" -v offset="$4" 'NR == 1 || (NR - 2) % every == offset' "$here/../../surrogate/campaign/points.csv" >"$scratch/$1.csv"
+  sed -e "s/SIZE/$1/g" -e "s/NUMBER/$2/" "$(design "$here/size.yaml")" >"$scratch/$1.yaml"
+  study "$scratch/$1.yaml"
+}
+
 study "$(design "$here/null.yaml")"
 for pass in 0.5 0.25 0.75; do
   while read -r column low high by_ratio first second third; do
@@ -70,4 +78,6 @@ preparation_gravity -1 1 0 4 1 -
 breakage 0.1 50 1 3 - -
 EFFECTS
 done
+size small 200 4 1
+size large 500 8 3
 "$regolab" gap bank "${ids[@]}" -o "$out" --db "$db"

@@ -44,7 +44,7 @@ TEST(Comparison, AddsItsThreeSourcesOfError) {
   c.variance << 4, 9;
   c.correlation = MatrixXd::Identity(2, 2), c.correlation(0, 1) = c.correlation(1, 0) = 0.5;
   c.error_correlation = MatrixXd::Identity(2, 2);
-  c.between_codes = MatrixXd::Ones(2, 2), c.between_alone = VectorXd::Zero(2);
+  c.between_codes = MatrixXd::Ones(2, 2), c.between_alone = c.by_step = c.size_variance = VectorXd::Zero(2);
   VectorXd emulator(2);
   emulator << 1, 0;
   MatrixXd expected(2, 2);
@@ -53,6 +53,18 @@ TEST(Comparison, AddsItsThreeSourcesOfError) {
   c.between_alone << 4, 5;  // of the variance
   expected << 1, 0.5 * 0, 0.5 * 0, 4;
   EXPECT_TRUE(c.covariance(c.base_error(emulator), 0).isApprox(expected, 1e-12)) << "of a code that differs by nothing, the specimens' own is left";
+}
+
+TEST(Comparison, ATimeStepShiftsFeaturesTogether) {
+  Comparison c;
+  c.error_correlation = MatrixXd::Identity(2, 2);
+  c.by_step = VectorXd(2), c.size_variance = VectorXd::Constant(2, 3);
+  c.by_step << 2, -1;
+  MatrixXd expected(2, 2);
+  expected << 1 + 3 + 4, -2, -2, 1 + 3 + 1;
+  EXPECT_TRUE(c.base_error(VectorXd::Ones(2)).isApprox(expected, 1e-12));
+  const Comparison one = c.subset({});
+  EXPECT_EQ(one.by_step.size(), 0);
 }
 
 TEST(BetweenCodes, ASlopeOverSigma3TurnsRoundInTheMiddle) {

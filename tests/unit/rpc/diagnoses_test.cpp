@@ -71,12 +71,12 @@ struct Diagnoses : test::ServiceTest {
 };
 
 TEST_F(Diagnoses, AreStoredWithTheirStepsAndKnownTheNextTime) {
-  const auto first = diagnose(request(5000, false));
+  const auto first = diagnose(request(12000, false));
   EXPECT_FALSE(first.stored());
   EXPECT_EQ(first.diagnosis().verdict(), "EFFECT");
   EXPECT_EQ(first.diagnosis().repaired(), "cohesion");
   restart();
-  const auto again = diagnose(request(5000, false));
+  const auto again = diagnose(request(12000, false));
   EXPECT_TRUE(again.stored());
   EXPECT_TRUE(google::protobuf::util::MessageDifferencer::Equals(again.diagnosis(), first.diagnosis()));
   EXPECT_FALSE(diagnose(request(5001, false)).stored()) << "other measurements are another question";
@@ -95,7 +95,7 @@ TEST_F(Diagnoses, AreStoredWithTheirStepsAndKnownTheNextTime) {
 }
 
 TEST_F(Diagnoses, FittedForConfirmationSeeNothingOfWhatIsHeldOut) {
-  const auto d = diagnose(request(5000, true)).diagnosis();
+  const auto d = diagnose(request(12000, true)).diagnosis();
   ASSERT_EQ(d.held_out_size(), 2);
   EXPECT_EQ(d.features(), 7U) << "11 less two levels of two";
   int held = 0;
@@ -104,11 +104,11 @@ TEST_F(Diagnoses, FittedForConfirmationSeeNothingOfWhatIsHeldOut) {
   }
   for (const auto& f : d.fits()) held += f.held_out() ? 1 : 0;
   EXPECT_EQ(held, 4);
-  EXPECT_NE(d.id(), diagnose(request(5000, false)).diagnosis().id());
+  EXPECT_NE(d.id(), diagnose(request(12000, false)).diagnosis().id());
 }
 
 TEST_F(Diagnoses, ArePlannedAsStudiesOfDrawsUnderTheHeldOutStresses) {
-  const auto d = diagnose(request(5000, true)).diagnosis();
+  const auto d = diagnose(request(12000, true)).diagnosis();
   const auto planned = plan(d.id(), 0, 4);
   EXPECT_EQ(planned.dem_jobs(), 4U * 2 * 3) << "draws, models, settling and two stresses";
   EXPECT_LT(planned.core_s(), 0) << "nothing was timed here";
@@ -134,11 +134,11 @@ TEST_F(Diagnoses, ArePlannedAsStudiesOfDrawsUnderTheHeldOutStresses) {
   EXPECT_DOUBLE_EQ(fifth->spec.effects[EffectId::kCohesion], model->draws(0).strengths_si(0));
   for (const Wish& wish : prepare(plan(d.id(), 4, 4).design()).wishes) EXPECT_FALSE(seeds.contains(wish.spec.seed)) << "the next round has others";
   plan(d.id(), 8, 8, grpc::StatusCode::INVALID_ARGUMENT);
-  plan(diagnose(request(5000, false)).diagnosis().id(), 0, 4, grpc::StatusCode::FAILED_PRECONDITION);
+  plan(diagnose(request(12000, false)).diagnosis().id(), 0, 4, grpc::StatusCode::FAILED_PRECONDITION);
 }
 
 TEST_F(Diagnoses, AreConfirmedByTheRunsOfTheirPlanAndTheSecondTimeCostsNothing) {
-  const v1::DiagnoseRequest asked = request(5000, true);
+  const v1::DiagnoseRequest asked = request(12000, true);
   const auto d = diagnose(asked).diagnosis();
   v1::ShrinkageRequest measure;
   *measure.mutable_of() = asked;
@@ -178,7 +178,7 @@ TEST_F(Diagnoses, AreConfirmedByTheRunsOfTheirPlanAndTheSecondTimeCostsNothing) 
   const auto again = diagnose(asked);
   EXPECT_TRUE(again.stored());
   EXPECT_EQ(again.diagnosis().shrinkage().SerializeAsString(), s.SerializeAsString());
-  EXPECT_EQ(diagnose(request(5000, false)).diagnosis().shrinkage().draws(), 6U) << "shown beside the diagnosis of the whole set too";
+  EXPECT_EQ(diagnose(request(12000, false)).diagnosis().shrinkage().draws(), 6U) << "shown beside the diagnosis of the whole set too";
 }
 
 TEST(FirstSeed, IsAwayFromTheBanks) {
