@@ -76,7 +76,7 @@ struct Diagnosis {
 
 struct DiagnosisOptions {
   SmcOptions smc{.particles = 400, .kept = 0.6, .moves = 3, .repeats = 1, .seed = 1};  ///< once more for what comes near the best
-  double temperature = 2.2;      ///< of the evidence: fitted on 101 cases whose truth was known (log score, verdicts), which the emulators fail by more than chance
+  double temperature = 2.2;      ///< of the evidence: fitted on 139 cases whose truth was known (log score, verdicts), which the emulators fail by more than chance
   double adequacy_threshold = 0.01;
   const StepMemory* memory = nullptr;  ///< of steps done before; outlives the call
 };

@@ -84,7 +84,7 @@ VectorXd Likelihood::strength(const MatrixXd& u, std::size_t k) const {
   return u.row(static_cast<Index>(free_.size() + 1 + k)).transpose().unaryExpr([&](double share) { return range.at(share); });
 }
 
-double Likelihood::difference(const VectorXd& u) const { return kMostDifferent * u[static_cast<Index>(free_.size())]; }
+double Likelihood::difference(const VectorXd& u) const { return (comparison_.same_code ? kMostOfOneCode : kMostDifferent) * u[static_cast<Index>(free_.size())]; }
 
 double Likelihood::unknown_size(const VectorXd& u) const {
   const double share = std::min(u[u.size() - 1], 0.999);

@@ -81,8 +81,8 @@ class Likelihood {
   std::vector<Eigen::MatrixXd> go_together_;  // [q][q] correlation of the errors of each cause
 };
 
-/// The largest difference between codes, in usual ones.
-inline constexpr double kMostDifferent = 1.5;
+/// The largest difference between codes, in usual ones; of measurements by this very code, which emulators do not wholly foretell either.
+inline constexpr double kMostDifferent = 1.5, kMostOfOneCode = 0.75;
 
 /// Covariance of the shifts that the library's effects make over their priors, in the features compared. [q][q]
 Eigen::MatrixXd library_covariance(const Emulator& emulator, const Comparison& comparison, const std::map<std::string, Stated>& stated, std::uint64_t seed);

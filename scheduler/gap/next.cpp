@@ -52,6 +52,7 @@ struct Planned {
 class Predictive {
  public:
   explicit Predictive(const NextQuestion& q) : q_(q), every_(every_feature(q.emulator)) {
+    every_.same_code = q.comparison.same_code;
     library_ = library_covariance(q.emulator, every_, q.stated, q.seed);
     for (const Believed& b : q.believed) {
       if (b.probability < kLeastProbability) continue;

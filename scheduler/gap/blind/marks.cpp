@@ -79,6 +79,7 @@ Mark mark_of(const Truth& truth, const Answer& answer, const std::optional<TrueG
            .answer = answer_of(truth),
            .verdict = std::string(name_of(d.verdict)),
            .ours = doubting(named_by(d), probabilities(d)),
+           .listed = d.verdict == Verdict::kCannotTell ? std::vector<std::string>{} : d.classes,
            .gap = gap,
            .strength = strength_mark(truth, d),
            .shrinkage = shrinkage,

@@ -52,6 +52,7 @@ struct Mark {
   std::string answer;              ///< the right one
   std::string verdict;             ///< "EFFECT", ...
   Opinion ours;                    ///< named: "" of CANNOT TELL
+  std::vector<std::string> listed; ///< all that the verdict names; nothing of CANNOT TELL
   double declared_confidence = 0;  ///< probability of the most probable answer
   bool right = false, strictly_right = false;
   std::optional<TrueGap> gap;

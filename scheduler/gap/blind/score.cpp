@@ -23,6 +23,13 @@ bool main_case(const Mark& m) { return !m.truth.extra; }
 bool unknown_named(const Mark& m) { return m.ours.named == "unknown"; }
 /// Anything but "nothing is wrong" or "I cannot tell", said of a case where nothing is wrong. ONE OF speaks by its most probable member.
 bool alarm(const Mark& m) { return m.ours.named != "none" && !m.ours.named.empty(); }
+bool lists(const Mark& m, const std::string& cause) { return std::ranges::find(m.listed, cause) != m.listed.end(); }
+bool leaves_none_out(const Mark& m) { return !m.listed.empty() && !lists(m, "none"); }
+/// The truth, of a pair both halves, is what the verdict names or among it.
+bool truth_listed(const Mark& m) {
+  const auto plus = m.answer.find('+');
+  return lists(m, m.answer) || (plus != std::string::npos && lists(m, m.answer.substr(0, plus)) && lists(m, m.answer.substr(plus + 1)));
+}
 
 Interval share(const Marks& marks, const std::function<bool(const Mark&)>& hit) {
   return share_of(static_cast<int>(std::ranges::count_if(marks, [&](const Mark* m) { return hit(*m); })), static_cast<int>(marks.size()));
@@ -115,6 +122,7 @@ std::vector<Figure> figures_of(const std::vector<Mark>& marks) {
   return {
       {"top1", "right, main cases", ">= 0.85", share(all, right)},
       {"top1_strict", "the same, CANNOT TELL never right", "", share(all, strictly)},
+      {"listed", "named or in ONE OF, main cases", "", share(all, &truth_listed)},
       {"top1_strong", "right, isolability above 4", ">= 0.95", share(strong, right)},
       {"top1_weak", "right, isolability up to 4", "", share(weak, right)},
       {"log_score", "mean -ln P(right), main cases", "below every baseline",
@@ -127,6 +135,7 @@ std::vector<Figure> figures_of(const std::vector<Mark>& marks) {
       {"calibration_floor", "of a perfectly calibrated judge (95 % quantile as the upper end)", "", calibration_floor_of(all)},
       {"false_alarms_extra", "a gap named in extra nulls", "<= 1 of 60", share(extra, &alarm)},
       {"false_alarms", "a gap named in all nulls", "", share(nulls, &alarm)},
+      {"false_alarms_sure", "a verdict that leaves no gap out, all nulls", "", share(nulls, &leaves_none_out)},
       {"unknown_detected", "NONE OF THESE in unknowns", ">= 0.80", share(unknown, &unknown_named)},
       {"false_none_of_these", "NONE OF THESE in main cases that are no unknowns", "<= 0.05", share(known, &unknown_named)},
       {"strength_log_error", "median |ln(estimate/truth)|, single effects named rightly", "<= 0.15", over(sized_named, error, &middle)},

@@ -22,6 +22,7 @@ Mark marked(TruthKind kind, const std::string& effect, const std::string& named,
   if (kind == TruthKind::kUnknown) truth.unknown = "batches";
   Mark m{.truth = truth, .answer = answer_of(truth), .verdict = "EFFECT"};
   m.ours.named = named;
+  if (!named.empty()) m.listed = {named};
   for (const std::string& answer : all_answers()) m.ours.p[answer] = answer == named ? p : (1 - p) / (kAnswers - 1);
   m.declared_confidence = p;
   m.right = m.strictly_right = named == m.answer;
@@ -50,11 +51,15 @@ TEST(Scores, OfAHandMadeTable) {
                           marked(TruthKind::kUnknown, "", "", 0.2),
                           marked(TruthKind::kNull, "", "none", 0.9)};
   marks.back().truth.extra = true;
+  marks[1].listed = {"breakage", "cohesion"}, marks[4].listed = {"cohesion", "none"};
   const Score score = score_of(marks, 2);
   EXPECT_EQ(score.cases, 7);
   EXPECT_EQ(score.extra, 1);
   EXPECT_EQ(score.missing, 2);
   EXPECT_DOUBLE_EQ(figure(score, "top1").value, 4.0 / 7);
+  EXPECT_DOUBLE_EQ(figure(score, "listed").value, 6.0 / 7);
+  EXPECT_DOUBLE_EQ(figure(score, "false_alarms").value, 1.0 / 3);
+  EXPECT_DOUBLE_EQ(figure(score, "false_alarms_sure").value, 0) << "no gap was among it";
   EXPECT_DOUBLE_EQ(figure(score, "top1_strong").value, 1);
   EXPECT_EQ(figure(score, "top1_strong").n, 2);
   EXPECT_DOUBLE_EQ(figure(score, "top1_weak").value, 0);
