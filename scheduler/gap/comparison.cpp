@@ -70,14 +70,13 @@ void go_together(const StrengthLine& line, Comparison& comparison) {
   comparison.correlation(at[0], at[1]) = comparison.correlation(at[1], at[0]) = own / std::sqrt(comparison.variance[at[0]] * comparison.variance[at[1]]);
 }
 
-/// What specimens of the bank's size would have measured.
 void as_of_usual_size(const Predicted& shift, Comparison& comparison) {
   if (shift.mean.size() == 0) return;
   for (Index k = 0; k < comparison.size(); ++k) {
     const Index of = comparison.feature[static_cast<std::size_t>(k)];
-    comparison.y[k] -= shift.mean(of, 0), comparison.measured[static_cast<std::size_t>(k)].value -= shift.mean(of, 0);
-    comparison.size_variance[k] = shift.variance(of, 0);
+    comparison.size_shift[k] = shift.mean(of, 0), comparison.size_variance[k] = shift.variance(of, 0);
   }
+  comparison.y -= comparison.size_shift;
 }
 
 }  // namespace
@@ -117,7 +116,7 @@ Comparison compare(const Emulator& emulator, const std::vector<Feature>& feature
   out.between_alone = kAlone * kAlone * sd.cwiseAbs2();
   out.variance = Eigen::Map<const VectorXd>(variance.data(), static_cast<Index>(variance.size())) + out.between_alone + sd.cwiseProduct(by_records(out.measured)).cwiseAbs2();
   out.by_step = sd.cwiseProduct(by_step(out.measured));
-  out.size_variance = VectorXd::Zero(out.size());
+  out.size_shift = out.size_variance = VectorXd::Zero(out.size());
   out.correlation = emulator.correlation()(out.feature, out.feature);
   out.error_correlation = emulator.error_correlation()(out.feature, out.feature);
   const MatrixXd together = sd.asDiagonal() * between_codes(out.measured);
@@ -151,7 +150,7 @@ Comparison Comparison::subset(const std::vector<Index>& kept) const {
   Comparison out;
   out.same_code = same_code;
   for (const Index k : kept) out.feature.push_back(feature[static_cast<std::size_t>(k)]), out.measured.push_back(measured[static_cast<std::size_t>(k)]);
-  out.y = y(kept), out.variance = variance(kept), out.share = share(kept), out.ours = ours(kept), out.between_alone = between_alone(kept), out.by_step = by_step(kept), out.size_variance = size_variance(kept);
+  out.y = y(kept), out.variance = variance(kept), out.share = share(kept), out.ours = ours(kept), out.between_alone = between_alone(kept), out.by_step = by_step(kept), out.size_variance = size_variance(kept), out.size_shift = size_shift(kept);
   out.correlation = correlation(kept, kept);
   out.error_correlation = error_correlation(kept, kept);
   out.between_codes = between_codes(kept, kept);

@@ -11,7 +11,8 @@ namespace regolab::gap {
 struct Comparison {
   std::vector<Eigen::Index> feature;  // [q] of the emulator
   std::vector<Feature> measured;      // [q]
-  Eigen::VectorXd y;                  // [q]
+  Eigen::VectorXd y;                  // [q] as specimens of the bank's size would have measured
+  Eigen::VectorXd size_shift;         // [q] what was measured less that
   Eigen::VectorXd variance;           // [q] of the measured mean: its own error and seeds
   Eigen::MatrixXd correlation;        // [q][q] of those
   Eigen::MatrixXd error_correlation;  // [q][q] of the emulator's errors without effects

@@ -104,12 +104,6 @@ MatrixXd correlation_of_errors(const MatrixXd& residual, const VectorXd& seeds, 
   return sound_correlation(wrong, wrong.diagonal().cwiseMax(kLeastError * seeds).cwiseMax(kLeastVariance), kErrorShrinkage);
 }
 
-struct EffectRuns {
-  std::vector<VectorXd> values;
-  std::vector<double> strength;
-  std::vector<VectorXd> features;
-};
-
 }  // namespace
 
 double Cause::strength(double u) const {
@@ -152,74 +146,81 @@ Result<Emulator> Emulator::from(const Bank& all, const std::vector<Kernel>& kern
     return Error{Code::kFailedPrecondition, "the bank has " + std::to_string(base.mean.rows()) + " materials without effects (emulators need " +
                                                 std::to_string(kFewestMaterials) + ") run more"};
   }
-  out.noise_ = base.noise, out.correlation_ = base.correlation;
   std::size_t used = 0;
-  const auto process = [&](Sample sample, const Groups& groups) {
+  const Process process = [&](Sample sample, const Groups& groups) {
     const Kernel kernel = used < kernels.size() ? kernels[used] : fit_kernel(sample, groups);
     ++used;
     return std::make_shared<const SharedGp>(std::move(sample), kernel);
   };
-  const auto families = families_of(out.features_);
-  const MatrixXd base_x = out.space_.scaled(base.values);
-  MatrixXd residual = MatrixXd::Constant(base.mean.rows(), base.mean.cols(), NAN), foretold = residual;
-  for (const auto& members : families) {
-    const auto rows = rows_with(members, base.mean);
-    const NoiseScale scale(base_x, scale_of(base, members));
-    const VectorXd weight = base.weight.array() / scale.at(base_x).array();
-    Family family{members, process(part_of(base_x, base.mean, weight, rows, members), out.space_.groups()), scale};
-    const Predicted left_out = family.gp->leave_one_out();
-    residual(rows, members) = base.mean(rows, members) - left_out.mean.transpose();
-    foretold(rows, members) = left_out.variance.transpose();
-    out.base_.push_back(std::move(family));
-  }
-  out.judge(residual, foretold, base.weight.mean());
+  out.learn_base(base, process);
   out.compare_sizes(all, usual);
-  std::vector<EffectRuns> runs(out.causes_.size());
-  for (const BankRow& row : bank.rows) {
-    const int cause = cause_of(bank, row, out.causes_);
-    if (cause < 0) continue;
-    EffectRuns& of = runs[static_cast<std::size_t>(cause)];
-    of.values.push_back(values_of(bank, row, out.space_));
-    of.strength.push_back(row.inputs[*bank.input(std::string(out.causes_[static_cast<std::size_t>(cause)].effect->name))]);
-    of.features.push_back(Eigen::Map<const VectorXd>(row.features.data(), static_cast<Index>(row.features.size())));
-  }
   std::vector<Cause> known;
   for (std::size_t c = 0; c < out.causes_.size(); ++c) {
-    const auto n = static_cast<Index>(runs[c].values.size());
-    if (static_cast<std::size_t>(n) < kFewestOfEffect) continue;
-    MatrixXd values(static_cast<Index>(out.space_.size()), n), shift(n, out.noise_.size());
-    for (Index i = 0; i < n; ++i) values.col(i) = runs[c].values[static_cast<std::size_t>(i)], shift.row(i) = runs[c].features[static_cast<std::size_t>(i)].transpose();
-    shift -= out.predict(values).mean.transpose();
-    MatrixXd x = out.space_.scaled(values, 1);
-    VectorXd weight(n);
-    for (Index i = 0; i < n; ++i) {  // what a shift would be at full growth, known the worse the weaker the effect was
-      const double s = runs[c].strength[static_cast<std::size_t>(i)], g = out.causes_[c].growth(s);
-      x(i, x.cols() - 1) = out.causes_[c].share(s);
-      shift.row(i) /= g;
-      weight[i] = g * g;
+    std::vector<const BankRow*> rows;
+    for (const BankRow& row : bank.rows) {
+      if (cause_of(bank, row, out.causes_) == static_cast<int>(c)) rows.push_back(&row);
     }
-    Effect effect{.families = {}, .scatter = VectorXd::Zero(out.noise_.size()), .error_correlation = {}};
-    MatrixXd wrong = MatrixXd::Constant(n, out.noise_.size(), NAN);  // of one run's weight
-    VectorXd run = out.noise_;
-    const MatrixXd material = out.space_.scaled(values);
-    for (std::size_t f = 0; f < families.size(); ++f) {
-      const auto& members = families[f];
-      const VectorXd calm = weight.array() / out.base_[f].scale.at(material).array();
-      const auto rows = rows_with(members, shift);
-      Sample sample = part_of(x, shift, calm, rows, members);
-      if (static_cast<std::size_t>(sample.y.rows()) < kFewestOfEffect) continue;
-      effect.families.push_back({members, process(std::move(sample), out.space_.groups(1)), {}});
-      const SharedGp& gp = *effect.families.back().gp;
-      run(members) = gp.noise();
-      wrong(rows, members) = VectorXd(calm(rows)).cwiseSqrt().asDiagonal() * (shift(rows, members) - gp.leave_one_out().mean.transpose());
-      effect.scatter(members) = (gp.noise() - out.noise_(members)).cwiseMax(0.0) / gp.sample().weight.mean();
-    }
-    effect.error_correlation = (1 - kAsSeeds) * correlation_of_errors(wrong, run, out.correlation_) + kAsSeeds * out.correlation_;
+    if (rows.size() < kFewestOfEffect) continue;
     known.push_back(out.causes_[c]);
-    out.effects_.push_back(std::move(effect));
+    out.effects_.push_back(out.learn_effect(bank, rows, out.causes_[c], process));
   }
   out.causes_ = std::move(known);
   return out;
+}
+
+void Emulator::learn_base(const Repeats& base, const Process& process) {
+  noise_ = base.noise, correlation_ = base.correlation;
+  const MatrixXd x = space_.scaled(base.values);
+  MatrixXd residual = MatrixXd::Constant(base.mean.rows(), base.mean.cols(), NAN), foretold = residual;
+  for (const auto& members : families_of(features_)) {
+    const auto rows = rows_with(members, base.mean);
+    const NoiseScale scale(x, scale_of(base, members));
+    const VectorXd weight = base.weight.array() / scale.at(x).array();
+    Family family{members, process(part_of(x, base.mean, weight, rows, members), space_.groups()), scale};
+    const Predicted left_out = family.gp->leave_one_out();
+    residual(rows, members) = base.mean(rows, members) - left_out.mean.transpose();
+    foretold(rows, members) = left_out.variance.transpose();
+    base_.push_back(std::move(family));
+  }
+  judge(residual, foretold, base.weight.mean());
+}
+
+/// From rows with this cause alone: what their shifts would be at full growth, known the worse the weaker the effect was.
+Emulator::Effect Emulator::learn_effect(const Bank& bank, const std::vector<const BankRow*>& rows, const Cause& cause, const Process& process) const {
+  const auto n = static_cast<Index>(rows.size());
+  const std::size_t strength = *bank.input(std::string(cause.effect->name));
+  MatrixXd values(static_cast<Index>(space_.size()), n), shift(n, noise_.size());
+  for (Index i = 0; i < n; ++i) {
+    const BankRow& row = *rows[static_cast<std::size_t>(i)];
+    values.col(i) = values_of(bank, row, space_);
+    shift.row(i) = Eigen::Map<const VectorXd>(row.features.data(), noise_.size()).transpose();
+  }
+  shift -= predict(values).mean.transpose();
+  MatrixXd x = space_.scaled(values, 1);
+  VectorXd weight(n);
+  for (Index i = 0; i < n; ++i) {
+    const double s = rows[static_cast<std::size_t>(i)]->inputs[strength], g = cause.growth(s);
+    x(i, x.cols() - 1) = cause.share(s);
+    shift.row(i) /= g;
+    weight[i] = g * g;
+  }
+  Effect effect{.families = {}, .scatter = VectorXd::Zero(noise_.size()), .error_correlation = {}};
+  MatrixXd wrong = MatrixXd::Constant(n, noise_.size(), NAN);  // of one run's weight
+  VectorXd run = noise_;
+  const MatrixXd material = space_.scaled(values);
+  for (const Family& base : base_) {
+    const auto& members = base.members;
+    const VectorXd calm = weight.array() / base.scale.at(material).array();
+    const auto present = rows_with(members, shift);
+    if (present.size() < kFewestOfEffect) continue;
+    effect.families.push_back({members, process(part_of(x, shift, calm, present, members), space_.groups(1)), {}});
+    const SharedGp& gp = *effect.families.back().gp;
+    run(members) = gp.noise();
+    wrong(present, members) = VectorXd(calm(present)).cwiseSqrt().asDiagonal() * (shift(present, members) - gp.leave_one_out().mean.transpose());
+    effect.scatter(members) = (gp.noise() - noise_(members)).cwiseMax(0.0) / gp.sample().weight.mean();
+  }
+  effect.error_correlation = (1 - kAsSeeds) * correlation_of_errors(wrong, run, correlation_) + kAsSeeds * correlation_;
+  return effect;
 }
 
 /// Runs without effects of other sizes than the usual one, beside what the base processes foretell of their materials.

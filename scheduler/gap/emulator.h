@@ -1,12 +1,14 @@
 /// What a DEM bundle would measure, from micro-parameters and strengths of effects, with its own error: m(theta, u) = m_0(theta) + sum of
 /// Delta_k(theta, u_k), and Delta_k(theta, 0) = 0 by construction.
 #pragma once
+#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
 
 #include "scheduler/gap/finite_size.h"
 #include "scheduler/gap/noise_scale.h"
+#include "scheduler/gap/repeats.h"
 #include "scheduler/gap/space.h"
 #include "vocab/effects.h"
 #include "vocab/result.h"
@@ -74,9 +76,11 @@ class Emulator {
   Eigen::VectorXd noise_;
   Eigen::VectorXd misfit_;       ///< [p] variance that the base processes leave beyond the seeds' own
   Eigen::MatrixXd correlation_, error_correlation_;
-
   FiniteSize size_;
 
+  using Process = std::function<std::shared_ptr<const SharedGp>(Sample, const Groups&)>;  ///< fits one, or takes its kernel
+  void learn_base(const Repeats& base, const Process& process);
+  Effect learn_effect(const Bank& bank, const std::vector<const BankRow*>& rows, const Cause& cause, const Process& process) const;
   void compare_sizes(const Bank& bank, double usual);
   void judge(const Eigen::MatrixXd& residual, const Eigen::MatrixXd& foretold, double runs);
 };

@@ -15,10 +15,11 @@ std::size_t cause_of(const Emulator& emulator, const std::string& effect) {
   return static_cast<std::size_t>(std::ranges::find_if(causes, [&](const Cause& c) { return c.effect->name == effect; }) - causes.begin());
 }
 
-Level level_of(const Predicted& p, Index feature) {
+/// In specimens of the size that was measured.
+Level level_of(const Predicted& p, const Comparison& comparison, Index feature) {
   const VectorXd values = p.mean.row(feature);
   const double mean = values.mean(), spread = (values.array() - mean).square().mean();
-  return {mean, std::sqrt(spread + p.variance.row(feature).mean())};
+  return {mean + comparison.size_shift[feature], std::sqrt(spread + p.variance.row(feature).mean())};
 }
 
 }  // namespace
@@ -69,7 +70,7 @@ std::vector<FeatureFit> fits_of(const Emulator& emulator, const Comparison& comp
   const std::optional<Predicted> after = repaired ? std::optional(emulated(emulator, *repaired, comparison.feature)) : std::nullopt;
   for (std::size_t f = 0; f < comparison.measured.size(); ++f) {
     const auto at = static_cast<Index>(f);
-    out.push_back({.measured = comparison.measured[f], .base = level_of(before, at), .repaired = after ? std::optional(level_of(*after, at)) : std::nullopt});
+    out.push_back({.measured = comparison.measured[f], .base = level_of(before, comparison, at), .repaired = after ? std::optional(level_of(*after, comparison, at)) : std::nullopt});
   }
   return out;
 }

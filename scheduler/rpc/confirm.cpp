@@ -63,14 +63,15 @@ Result<std::vector<std::map<std::string, double>>> features_of_round(Reader& rea
   return out;
 }
 
-/// [q][n] of the held-out features; NaN where a run has no number.
+/// [q][n] of the held-out features, as specimens of the bank's size measure them; NaN where a run has no number.
 struct Runs {
   MatrixXd base, repaired;
   std::vector<std::string> experiments;
 };
 
-/// model: of the rows, whose first is its draw `draw`.
-void append(std::span<const std::map<std::string, double>> rows, const v1::WeighedModel* model, int draw, const gap::Comparison& held, MatrixXd& runs) {
+/// model: of the rows, whose first is its draw `draw`. size_shift: what specimens of the runs' size measure, less those of the bank's. [q]
+void append(std::span<const std::map<std::string, double>> rows, const v1::WeighedModel* model, int draw, const gap::Comparison& held, const VectorXd& size_shift,
+            MatrixXd& runs) {
   for (const auto& row : rows) {
     const double strength = model && model->strength_size() > 0 ? model->draws(draw++).strengths_si(0) : 0;
     runs.conservativeResize(held.size(), runs.cols() + 1);
@@ -78,12 +79,13 @@ void append(std::span<const std::map<std::string, double>> rows, const v1::Weigh
       const std::string& id = held.measured[static_cast<std::size_t>(f)].id;
       const auto found = row.find(id);
       const double shown = model ? gap::read_by_gauge(model->model(), strength, *gap::feature_info(id)) : 0;
-      runs(f, runs.cols() - 1) = found == row.end() ? NAN : found->second + shown;
+      runs(f, runs.cols() - 1) = found == row.end() ? NAN : found->second + shown - size_shift[f];
     }
   }
 }
 
-gap::Level level_of(const MatrixXd& runs, Index feature, std::uint32_t& count) {
+/// In specimens of the size that was measured.
+gap::Level level_of(const MatrixXd& runs, const gap::Comparison& held, Index feature, std::uint32_t& count) {
   std::vector<double> v;
   for (Index r = 0; r < runs.cols(); ++r) {
     if (std::isfinite(runs(feature, r))) v.push_back(runs(feature, r));
@@ -92,15 +94,15 @@ gap::Level level_of(const MatrixXd& runs, Index feature, std::uint32_t& count) {
   if (v.empty()) return {NAN, NAN};
   const Eigen::Map<const VectorXd> all(v.data(), std::ssize(v));
   const double n = static_cast<double>(v.size()), mean = all.mean();
-  return {mean, n > 1 ? std::sqrt((all.array() - mean).square().sum() / (n - 1) / n) : 0};
+  return {mean + held.size_shift[feature], n > 1 ? std::sqrt((all.array() - mean).square().sum() / (n - 1) / n) : 0};
 }
 
 void add_features(const gap::Comparison& held, const Runs& runs, v1::Shrinkage& out) {
   std::size_t missing = 0;
   for (Index f = 0; f < held.size(); ++f) {
     std::uint32_t before = 0, after = 0;
-    gap::FeatureFit fit{.measured = held.measured[static_cast<std::size_t>(f)], .base = level_of(runs.base, f, before), .repaired = {}};
-    if (runs.repaired.cols() > 0) fit.repaired = level_of(runs.repaired, f, after);
+    gap::FeatureFit fit{.measured = held.measured[static_cast<std::size_t>(f)], .base = level_of(runs.base, held, f, before), .repaired = {}};
+    if (runs.repaired.cols() > 0) fit.repaired = level_of(runs.repaired, held, f, after);
     if (before == 0 || (fit.repaired && after == 0)) {
       out.add_warnings(fit.measured.id + " takes no part: no run measured it");
       continue;
@@ -211,6 +213,7 @@ grpc::Status GapsService::MeasureShrinkage(grpc::ServerContext* context, const v
   }
   const gap::Comparison held = all.subset(at);
   Runs runs{.base = MatrixXd(held.size(), 0), .repaired = MatrixXd(held.size(), 0), .experiments = {}};
+  const VectorXd size_shift = runs_measured_size(q.set) ? held.size_shift : VectorXd::Zero(held.size());
   int first = 0;
   for (const std::uint32_t draws : request->rounds()) {
     const auto design = confirmation_design(known->diagnosis, known->set, first, static_cast<int>(draws));
@@ -228,8 +231,8 @@ grpc::Status GapsService::MeasureShrinkage(grpc::ServerContext* context, const v
     if (!rows.ok()) return to_grpc(rows.error());
     const std::span all_rows(*rows);
     if (all_rows.size() < draws) return to_grpc({Code::kFailedPrecondition, "runs are missing (experiment " + label + " has fewer rows than draws) submit it again"});
-    append(all_rows.first(draws), nullptr, first, held, runs.base);
-    append(all_rows.subspan(draws), repaired_model(known->diagnosis), first, held, runs.repaired);
+    append(all_rows.first(draws), nullptr, first, held, size_shift, runs.base);
+    append(all_rows.subspan(draws), repaired_model(known->diagnosis), first, held, size_shift, runs.repaired);
     runs.experiments.push_back(label);
     first += static_cast<int>(draws);
   }

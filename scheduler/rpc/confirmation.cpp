@@ -91,15 +91,16 @@ std::string plain(const std::string& text) {
 
 std::string specimen_lines(const gap::ObservationSet& set) {
   std::string text;
-  const auto particles = set.specimen.particles;
-  if (particles && *particles <= kMostParticles) {
-    text += fmt::format("particles: {:.0f}\n", *particles);
+  if (runs_measured_size(set)) {
+    text += fmt::format("particles: {:.0f}\n", *set.specimen.particles);
     if (set.specimen.box_length && set.specimen.box_width) text += fmt::format("box: {{length: {} m, width: {} m}}\n", exact(*set.specimen.box_length), exact(*set.specimen.box_width));
   }
   return text;
 }
 
 }  // namespace
+
+bool runs_measured_size(const gap::ObservationSet& set) { return set.specimen.particles && *set.specimen.particles <= kMostParticles; }
 
 std::uint64_t first_seed_of(const std::string& id, const std::set<std::uint64_t>& bank_seeds) {
   std::uint64_t number = 0;

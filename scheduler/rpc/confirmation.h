@@ -16,6 +16,9 @@ std::uint64_t first_seed_of(const std::string& id, const std::set<std::uint64_t>
 /// own, under the held-out stresses alone, with the bank's numerics and the specimen that was measured. kFailedPrecondition: nothing to confirm.
 Result<v1::SubmitRequest> confirmation_design(const v1::Diagnosis& diagnosis, const gap::ObservationSet& set, int first, int draws);
 
+/// Whether such a study runs specimens of the size that was measured; else of the bank's.
+bool runs_measured_size(const gap::ObservationSet& set);
+
 /// The model that such a study runs beside "none"; null when it runs none.
 const v1::WeighedModel* repaired_model(const v1::Diagnosis& diagnosis);
 

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "scheduler/gap/fit.h"
 #include "unit/gap/made_up_world.h"
 
 namespace regolab::gap {
@@ -45,7 +46,7 @@ TEST(FiniteSize, FewRunsSayNothing) {
 }
 
 /// Of the made-up world's materials, every fourth also with 200 particles, less dense by 60 kg/m3.
-TEST(FiniteSize, MeasurementsAreComparedAsOfTheBanksSize) {
+MadeUpWorld world_of_two_sizes() {
   MadeUpWorld world;
   world.bank.inputs.push_back({"particles", "1"});
   for (BankRow& row : world.bank.rows) row.inputs.push_back(300);
@@ -54,7 +55,11 @@ TEST(FiniteSize, MeasurementsAreComparedAsOfTheBanksSize) {
     row.inputs.back() = 200, row.features[1] -= 60;
     if (row.inputs[2] == 0 && row.inputs[3] == 0) world.bank.rows.push_back(row);
   }
-  const auto emulator = Emulator::from(world.bank);
+  return world;
+}
+
+TEST(FiniteSize, MeasurementsAreComparedAsOfTheBanksSize) {
+  const auto emulator = Emulator::from(world_of_two_sizes().bank);
   ASSERT_TRUE(emulator.ok());
   EXPECT_EQ(emulator->predict(MatrixXd::Constant(2, 1, 0.4)).mean, made_up_emulator().predict(MatrixXd::Constant(2, 1, 0.4)).mean) << "they teach materials nothing";
   ObservationSet set = measured_in_made_up_world(0.47, 4, 0, 0);
@@ -62,8 +67,11 @@ TEST(FiniteSize, MeasurementsAreComparedAsOfTheBanksSize) {
   set.specimen.particles = 200;
   const Comparison small = compare(*emulator, set);
   EXPECT_NEAR(small.y[1] - usual, 60, 3);
-  EXPECT_NEAR(small.measured[1].value - usual, 60, 3) << "as it is shown";
+  EXPECT_DOUBLE_EQ(small.measured[1].value, usual) << "shown as it was measured";
+  EXPECT_DOUBLE_EQ(small.y[1] + small.size_shift[1], usual);
   EXPECT_GT(small.size_variance[1], 0);
+  const Diagnosis none{.models = {{.model = "none", .cause = "none", .strength = {}, .draws = {{.values = {0.47, 4}, .strength = {}}}}}};
+  EXPECT_NEAR(fits_of(*emulator, small, none)[1].base.value, emulator->predict((MatrixXd(2, 1) << 0.47, 4).finished()).mean(1, 0) - 60, 3) << "beside it, as of its size";
   set.specimen.particles.reset();
   EXPECT_EQ(compare(*emulator, set).y[1], usual) << "of a specimen that nobody counted nothing is known";
 }
