@@ -51,6 +51,18 @@ std::vector<Draw> draws_of(const Likelihood& model, const MatrixXd& u, std::size
   return out;
 }
 
+/// Of the variance of what is foretold at draws of a posterior: the share that is the emulator's error about effects.
+double vagueness_of(const Likelihood& model, const MatrixXd& draws) {
+  double sum = 0;
+  for (int k = 0; k < kDraws; ++k) {
+    const MatrixXd u = draws.col(k * draws.cols() / kDraws);
+    const Foretold p = model.predict(u);
+    const VectorXd all = model.covariance(p, u, 0).diagonal();
+    for (const Foretold::Shift& effect : p.effects) sum += (effect.wrong.col(0).array().square() / all.array()).mean() / kDraws;
+  }
+  return sum;
+}
+
 /// Share of data sets, drawn from the model at its best and fitted anew, that would misfit it more: without the new fit the measured set,
 /// which has been fitted, would look better than chance [Hjort, Dahl and Steinbakk 2006, doi 10.1198/016214505000001393].
 double adequacy_of(const Likelihood& model, const Comparison& comparison, const Posterior& posterior, std::uint64_t seed) {
@@ -115,6 +127,7 @@ struct Search {
       Weighed one{.model = h.name, .cause = cause_class(h.name), .log_z = posterior.log_z, .log_z_error = posterior.log_z_error > 0 ? posterior.log_z_error : std::sqrt(2.0) * typical, .strength = {}, .draws = {}};
       for (std::size_t k = 0; k < h.causes.size(); ++k) one.strength.push_back(strength_of(emulator, h.causes[k], likelihood.strength(posterior.u, k)));
       one.draws = draws_of(likelihood, posterior.u, h.causes.size());
+      one.vague = vagueness_of(likelihood, posterior.u);
       out.push_back(std::move(one));
     }
     return out;
@@ -258,6 +271,7 @@ Result<Diagnosis> diagnose(const Emulator& emulator, const ObservationSet& set, 
   const auto hypothesis = std::ranges::find(hypotheses, named->model, &Hypothesis::name);
   out.adequacy = adequacy_of(Likelihood(emulator, comparison, *hypothesis, stated, library), comparison, search.posteriors.at(named->model), options.smc.seed);
   doubt(out.models, out.adequacy);
+  mistrust(out.models);
   if (!step("where")) return stopped();
   out.where = where_of(emulator, comparison, stated, options);
   if (!step("which test would tell more")) return stopped();

@@ -38,6 +38,7 @@ struct Weighed {
   double log_z = 0, log_z_error = 0, probability = 0;
   std::vector<Strength> strength;
   std::vector<Draw> draws;  ///< kDraws of its posterior
+  double vague = 0;  ///< share of the variance of what it foretells that is the emulator's error about its effects, mean over features
 };
 
 /// A group of features predicted from all the others under the base model.

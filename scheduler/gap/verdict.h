@@ -15,6 +15,10 @@ void weigh(std::vector<Weighed>& models, double temperature);
 /// library's. REQUIRES: one model of the cause "unknown", adequacy > 0.
 void doubt(std::vector<Weighed>& models, double adequacy);
 
+/// What fits mostly by the emulator's own error about its effects is nearly an unknown itself: that share of its probability goes there.
+/// REQUIRES: as `doubt`.
+void mistrust(std::vector<Weighed>& models);
+
 /// Probability of each class, most probable first.
 std::vector<std::pair<std::string, double>> by_class(const std::vector<Weighed>& models);
 

@@ -46,6 +46,19 @@ TEST(Doubt, AMisfitSpeaksForTheUnknownAsFarAsItsPAllows) {
   EXPECT_NEAR(probability(models, "cohesion") / probability(models, "none"), 0.55 / 0.20 * std::exp(20.0), 1e-3 * std::exp(20.0)) << "among the named nothing changes";
 }
 
+TEST(Mistrust, WhatFitsByTheEmulatorsErrorIsSharedWithTheUnknown) {
+  std::vector<Weighed> models = {model("none", 0), model("breakage", 20), model("cohesion", 18), model("unknown", 0)};
+  weigh(models, 1);
+  const double breakage = probability(models, "breakage"), cohesion = probability(models, "cohesion"), unknown = probability(models, "unknown");
+  std::ranges::find(models, "breakage", &Weighed::model)->vague = 0.7;
+  std::ranges::find(models, "cohesion", &Weighed::model)->vague = 0.5;
+  mistrust(models);
+  EXPECT_NEAR(probability(models, "breakage"), 0.3 * breakage, 1e-12);
+  EXPECT_NEAR(probability(models, "unknown"), unknown + 0.7 * breakage, 1e-12);
+  EXPECT_EQ(probability(models, "cohesion"), cohesion) << "errors of half the variance are usual";
+  EXPECT_EQ(models.front().model, "unknown");
+}
+
 Diagnosis diagnosis(std::vector<Weighed> models, double adequacy = 0.5, bool same_code = true) {
   Diagnosis d;
   d.same_code = same_code;
